@@ -1,0 +1,339 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+/// @file
+/// The C interface of dot. Valid C99 and C++98; needs neither Eigen nor OpenCV.
+///
+/// Conventions. Axes x right, y down, z forward; metres, radians, seconds; pixel centres at integer coordinates. T_a_b
+/// maps coordinates of b into a and is stored as a row-major 3x4 matrix of doubles. Covariances are row-major.
+/// Booleans are bits of a `flags` field. Ids are never 0 where they name something.
+///
+/// Structs. Every struct but dot_setting starts with `struct_size`, which the caller sets to its sizeof, for inputs and
+/// for outputs: C99 `dot_frame frame = {.struct_size = sizeof frame}`, elsewhere memset, then the assignment. Structs
+/// grow at their end only; a field that an older caller does not have counts as zero. A size that this library does not
+/// know (0, or of a newer header) is an error.
+///
+/// Errors. Functions return DOT_OK or a negative status; the text, which names the field at fault, is in
+/// dot_last_error, for functions without a tracker in dot_create_error. Nothing aborts, exits or throws.
+///
+/// Threads. Trackers are independent; one thread at a time may use a given one, for reading too.
+
+#if defined(_WIN32)
+#ifdef DOT_CAPI_EXPORTS
+#define DOT_API __declspec(dllexport)
+#else
+#define DOT_API __declspec(dllimport)
+#endif
+#elif defined(__GNUC__)
+#define DOT_API __attribute__((visibility("default")))
+#else
+#define DOT_API
+#endif
+
+#if defined(__cplusplus) && __cplusplus >= 201103L
+#define DOT_NOEXCEPT noexcept
+#else
+#define DOT_NOEXCEPT
+#endif
+
+/// Version of this header: 1000000 major + 1000 minor + patch. Compare with dot_version().
+#define DOT_HEADER_VERSION 1000
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// Result of a call, one of the values below.
+typedef int32_t dot_status;
+enum {
+  DOT_OK = 0,
+  DOT_INVALID_ARGUMENT = -1,  ///< the text names the field; nothing has changed
+  DOT_NO_RESULT = -2,         ///< nothing tracked yet, or not since dot_reset or a failure
+  DOT_OUT_OF_MEMORY = -3,     ///< the tracker has been reset
+  DOT_INTERNAL = -4           ///< a fault of the library; the tracker has been reset
+};
+
+/// dot_image.format. 0 is none, so that a forgotten format is an error.
+enum {
+  DOT_FORMAT_GREY8 = 1,      ///< one byte a pixel
+  DOT_FORMAT_BGR8 = 2,       ///< three bytes a pixel, blue first
+  DOT_FORMAT_RGB8 = 3,       ///< three bytes a pixel, red first
+  DOT_FORMAT_BGRA8 = 4,      ///< four bytes a pixel, blue first, alpha ignored
+  DOT_FORMAT_DEPTH_F32 = 5,  ///< float, metres
+  DOT_FORMAT_DEPTH_U16 = 6,  ///< 16 bit, metres = value / depth_units_per_metre
+  DOT_FORMAT_ID8 = 7,        ///< instance ids, 0 = background
+  DOT_FORMAT_ID16 = 8,
+  DOT_FORMAT_ID32 = 9,
+  DOT_FORMAT_LABEL8 = 10  ///< output only: a DOT_STATE_ value a pixel
+};
+
+/// The state of an object and of each of its label pixels.
+enum {
+  DOT_STATE_BACKGROUND = 0,
+  DOT_STATE_STATIC = 1,
+  DOT_STATE_MOVING = 2,
+  DOT_STATE_NOT_OBSERVABLE = 3  ///< the data does not decide between the two
+};
+
+/// Why an object has no motion estimate in this frame (or was dropped after it).
+enum {
+  DOT_REASON_NONE = 0,  ///< it has one
+  DOT_REASON_NEW = 1,   ///< first seen in this frame: a motion needs two
+  DOT_REASON_NO_REFERENCE = 2,
+  DOT_REASON_TOO_FEW_PIXELS = 3,
+  DOT_REASON_TOO_LITTLE_DEPTH = 4,
+  DOT_REASON_TOO_LITTLE_TEXTURE = 5,
+  DOT_REASON_LEAVES_IMAGE = 6,
+  DOT_REASON_OCCLUDED = 7,
+  DOT_REASON_DIVERGED = 8,
+  DOT_REASON_LOW_CORRELATION = 9,
+  DOT_REASON_TOO_FEW_INLIERS = 10,
+  DOT_REASON_DEPTH_DISAGREES = 11,
+  DOT_REASON_IMPLAUSIBLE = 12,  ///< faster than the setting object.max_speed
+  DOT_REASON_HIDDEN = 13,       ///< neither its prediction nor a mask shows it
+  DOT_REASON_CAMERA_LOST = 14,
+  DOT_REASON_LOST = 15  ///< not seen for too long: dropped after this frame
+};
+
+/// dot_camera_result.status.
+enum {
+  DOT_CAMERA_FIRST_FRAME = 0,       ///< no reference: T_cur_prev is the identity and means nothing
+  DOT_CAMERA_TRACKED = 1,           ///< estimated from the image
+  DOT_CAMERA_FROM_HOST = 2,         ///< dot_frame.camera_motion
+  DOT_CAMERA_TOO_LITTLE_DEPTH = 3,  ///< T_cur_prev is the constant-velocity guess
+  DOT_CAMERA_LOST = 4               ///< T_cur_prev is the constant-velocity guess
+};
+
+/// dot_options.classifier.
+enum {
+  DOT_CLASSIFIER_VELOCITY = 0,  ///< belief over the velocity of the object's centroid
+  DOT_CLASSIFIER_ENTROPY = 1,   ///< the paper's rule with the gate H < H_max
+  DOT_CLASSIFIER_ENTROPY_LITERAL = 2
+};
+
+/// dot_options.depth_source: sets the form of the depth noise.
+enum { DOT_DEPTH_UNKNOWN = 0, DOT_DEPTH_STEREO = 1, DOT_DEPTH_RGBD = 2, DOT_DEPTH_LIDAR = 3 };
+
+/// dot_instance.flags.
+enum { DOT_INSTANCE_ALWAYS_DYNAMIC = 1 };  ///< people and other non-rigid things: always reported as moving
+
+/// dot_object.flags.
+enum {
+  DOT_OBJECT_ALWAYS_DYNAMIC = 1,  ///< flagged by the caller
+  DOT_OBJECT_SEGMENTED = 2        ///< an instance of this frame's segmentation was associated: instance_id
+};
+
+/// dot_exclusion_policy.flags.
+enum {
+  DOT_EXCLUDE_NOT_OBSERVABLE = 1,  ///< objects that never were decided; later they count as last decided
+  DOT_EXCLUDE_STATIC = 2
+};
+
+/// A tracker and all its memory. Made by dot_create, ended by dot_destroy; not to be shared between threads unlocked.
+typedef struct dot_tracker dot_tracker;
+
+/// A view of pixels; it owns nothing. As an input it is borrowed for the duration of one call.
+typedef struct dot_image {
+  uint32_t struct_size;
+  uint32_t format;               ///< DOT_FORMAT_
+  int32_t width;                 ///< pixels
+  int32_t height;                ///< pixels
+  int64_t stride_bytes;          ///< from one row to the next, at least width times the pixel's size
+  const void* data;              ///< top left pixel, aligned to its element type
+  double depth_units_per_metre;  ///< DOT_FORMAT_DEPTH_U16 only: 1000 for RGB-D cameras, 256 for KITTI files
+} dot_image;
+
+/// A rectified pinhole camera.
+typedef struct dot_camera {
+  uint32_t struct_size;
+  int32_t width;      ///< pixels
+  int32_t height;     ///< pixels
+  uint32_t reserved;  ///< 0
+  double fx;          ///< pixels
+  double fy;          ///< pixels
+  double cx;          ///< pixels
+  double cy;          ///< pixels
+  double baseline;    ///< metres; 0 when the depth does not come from stereo
+} dot_camera;
+
+/// One setting by its name in dot/pipeline/options.hpp, as "velocity.decide". Integers and booleans are given as whole
+/// numbers. (This struct does not grow: it is an array element without a size.)
+typedef struct dot_setting {
+  const char* name;
+  double value;
+} dot_setting;
+
+/// The main settings. Start from dot_options_init. All pointers are read by dot_create only.
+typedef struct dot_options {
+  uint32_t struct_size;
+  uint32_t classifier;          ///< DOT_CLASSIFIER_
+  uint32_t depth_source;        ///< DOT_DEPTH_
+  int32_t background_points;    ///< budget for the background of one frame
+  int32_t object_points;        ///< budget for one object
+  uint32_t setting_count;       ///< length of `settings`
+  const dot_setting* settings;  ///< further settings, applied last; may be NULL when there are none
+  double v0;                    ///< m/s: what counts as moving
+  double stereo_sigma_px;       ///< pixels: disparity noise of one pixel
+} dot_options;
+
+/// One instance of a segmentation. All elements of an array have the same struct_size.
+typedef struct dot_instance {
+  uint32_t struct_size;
+  uint32_t id;            ///< the caller's, need not be stable from frame to frame
+  const dot_image* mask;  ///< GREY8 or ID8, non-zero = object; NULL: the pixels of dot_masks.ids that equal `id`
+  int32_t x;              ///< pixels: where the mask's top left corner lies in the frame
+  int32_t y;              ///< pixels
+  int32_t class_id;       ///< the caller's, -1 = unknown
+  float score;            ///< of the network
+  uint32_t flags;         ///< DOT_INSTANCE_
+  uint32_t reserved;      ///< 0
+} dot_instance;
+
+/// The segmentation of one frame: an id image, or instances that may overlap, or an id image with instances that tell
+/// class and score of some of its ids. Both absent: the network ran and saw nothing.
+typedef struct dot_masks {
+  uint32_t struct_size;
+  uint32_t instance_count;
+  const dot_image* ids;           ///< ID8, ID16 or ID32, of the frame's size; may be NULL
+  const dot_instance* instances;  ///< may be NULL when there are none
+} dot_masks;
+
+/// A camera motion that the host knows better.
+typedef struct dot_camera_motion {
+  uint32_t struct_size;
+  uint32_t reserved;      ///< 0
+  double T_cur_prev[12];  ///< a static point at X in the previous frame's camera is at T_cur_prev X in this one's
+  double covariance[36];  ///< of the left twist [translation; rotation], metres and radians
+} dot_camera_motion;
+
+/// One frame. Everything it points to is borrowed for the duration of dot_track.
+typedef struct dot_frame {
+  uint32_t struct_size;
+  uint32_t reserved;                       ///< 0
+  uint64_t id;                             ///< the caller's number of the frame
+  double timestamp;                        ///< seconds, strictly increasing
+  const dot_image* image;                  ///< GREY8, BGR8, RGB8 or BGRA8
+  const dot_image* depth;                  ///< DEPTH_F32 or DEPTH_U16; zero, negative, NaN or infinite = no measurement
+  const dot_masks* masks;                  ///< NULL: no segmentation for this frame
+  const dot_camera_motion* camera_motion;  ///< NULL: estimated from the image
+} dot_frame;
+
+/// The camera's motion over the last interval.
+typedef struct dot_camera_result {
+  uint32_t struct_size;
+  uint32_t status;   ///< DOT_CAMERA_
+  int32_t n_points;  ///< background points inside the image
+  int32_t n_inliers;
+  uint64_t frame_id;           ///< dot_frame.id
+  double timestamp;            ///< dot_frame.timestamp
+  double interval;             ///< seconds since the previous frame, 0 when there is no reference
+  double T_cur_prev[12];       ///< T_c
+  double covariance[36];       ///< of the left twist [translation; rotation], metres and radians
+  double phi;                  ///< Pearson correlation of reference and tracked intensities
+  double gain;                 ///< I_cur = gain I_prev + offset
+  double offset;               ///< grey values
+  double residual_sigma;       ///< grey values, robust
+  double normalised_variance;  ///< of the residuals over their predicted sigma; near 1 when honest
+} dot_camera_result;
+
+/// One object in one frame.
+typedef struct dot_object {
+  uint32_t struct_size;
+  uint32_t id;            ///< of the track, never reused by this tracker
+  uint32_t state;         ///< DOT_STATE_
+  uint32_t reason;        ///< DOT_REASON_
+  uint32_t last_decided;  ///< last state that was STATIC or MOVING; NOT_OBSERVABLE when there was none
+  uint32_t flags;         ///< DOT_OBJECT_
+  uint32_t instance_id;   ///< dot_instance.id, or the value in dot_masks.ids; with DOT_OBJECT_SEGMENTED
+  int32_t class_id;       ///< of the last instance associated
+  float score;            ///< of the last instance associated
+  int32_t area;           ///< visible label pixels
+  int32_t box[4];         ///< x, y, width, height of the visible label pixels; zeros when there are none
+  int32_t n_points;       ///< points inside the image
+  int32_t n_inliers;
+  double p_moving;  ///< belief after this frame
+
+  /* The single fit of this frame; meaningful where `reason` is DOT_REASON_NONE. */
+  double T_o[12];                 ///< previous camera's axes: a point at X_prev is at T_c T_o X_prev in this camera
+  double covariance[36];          ///< of T_o: twist about the centroid, photometric part only
+  double velocity[3];             ///< of the centroid, m/s, previous camera's axes
+  double velocity_covariance[9];  ///< with the camera's and the depth's share
+  double speed;                   ///< m/s
+  double phi;                     ///< Pearson correlation
+  double disparity_px;            ///< median pixel distance between the points moved by T_c and by T_c T_o
+  double disparity_noise_px;      ///< what of that the covariance explains
+  double entropy;                 ///< of the pose, nats
+  double range;                   ///< depth of the centroid, metres
+  double interval;                ///< seconds that velocity and T_o span
+
+  /* Fused over time. */
+  double fused_velocity[3];  ///< m/s, this camera's axes
+  double fused_covariance[9];
+} dot_object;
+
+/// What dot_exclusion_mask excludes besides moving objects.
+typedef struct dot_exclusion_policy {
+  uint32_t struct_size;
+  uint32_t flags;     ///< DOT_EXCLUDE_
+  int32_t dilation;   ///< pixels by which the excluded area is widened, >= 0
+  uint32_t reserved;  ///< 0
+} dot_exclusion_policy;
+
+/// Version of the library, counted as DOT_HEADER_VERSION.
+DOT_API uint32_t dot_version(void) DOT_NOEXCEPT;
+
+/// Short English name of a status. Never NULL; static memory.
+DOT_API const char* dot_status_string(dot_status status) DOT_NOEXCEPT;
+
+/// Fills in the defaults. @param struct_size sizeof(dot_options). On failure nothing is written.
+DOT_API dot_status dot_options_init(dot_options* options, uint32_t struct_size) DOT_NOEXCEPT;
+
+/// Makes a tracker, which the caller ends with dot_destroy. @param options NULL for the defaults.
+/// @param out set to NULL on failure. The arguments are copied.
+DOT_API dot_status dot_create(const dot_camera* camera, const dot_options* options, dot_tracker** out) DOT_NOEXCEPT;
+
+/// Text of the last dot_create or dot_options_init on this thread, empty if that succeeded. Never NULL; valid until the
+/// thread's next such call.
+DOT_API const char* dot_create_error(void) DOT_NOEXCEPT;
+
+/// Frees the tracker and all views that it handed out. NULL is allowed.
+DOT_API void dot_destroy(dot_tracker* tracker) DOT_NOEXCEPT;
+
+/// Forgets all frames and objects; keeps buffers and never reuses an id.
+DOT_API dot_status dot_reset(dot_tracker* tracker) DOT_NOEXCEPT;
+
+/// Labels the objects of one frame. After DOT_INVALID_ARGUMENT the tracker and its last result are as they were before.
+DOT_API dot_status dot_track(dot_tracker* tracker, const dot_frame* frame) DOT_NOEXCEPT;
+
+/// Number of live objects in the last result, those without pixels too.
+DOT_API dot_status dot_object_count(dot_tracker* tracker, uint32_t* count) DOT_NOEXCEPT;
+
+/// Copies object `index` of the last result, 0 <= index < count. Sets all of `out` but its struct_size.
+DOT_API dot_status dot_get_object(dot_tracker* tracker, uint32_t index, dot_object* out) DOT_NOEXCEPT;
+
+/// Copies the camera's part of the last result. Sets all of `out` but its struct_size.
+DOT_API dot_status dot_get_camera(dot_tracker* tracker, dot_camera_result* out) DOT_NOEXCEPT;
+
+/// View of the label image, DOT_FORMAT_LABEL8, of the frame's size. Its pixels belong to the tracker, valid until
+/// its next dot_track, dot_reset or dot_destroy.
+DOT_API dot_status dot_label_image(dot_tracker* tracker, dot_image* out) DOT_NOEXCEPT;
+
+/// View of the track id of each pixel, DOT_FORMAT_ID32, 0 = background. Valid as long as the label image.
+DOT_API dot_status dot_id_image(dot_tracker* tracker, dot_image* out) DOT_NOEXCEPT;
+
+/// Writes the mask that a feature extractor needs: 255 = do not use this pixel, 0 = use it. That is the OPPOSITE of the
+/// mask that OpenCV's feature detectors take.
+/// @param policy NULL for the default: NOT_OBSERVABLE excluded until decided, static kept, widened by 2 pixels.
+/// @param data the caller's buffer: `height` rows of `width` bytes, `stride_bytes` apart; size that of the label image.
+DOT_API dot_status dot_exclusion_mask(dot_tracker* tracker, const dot_exclusion_policy* policy, uint8_t* data,
+                                      int32_t width, int32_t height, int64_t stride_bytes) DOT_NOEXCEPT;
+
+/// Text of the last call on this tracker, empty if that succeeded. Never NULL; valid until the next call on it.
+DOT_API const char* dot_last_error(const dot_tracker* tracker) DOT_NOEXCEPT;
+
+#ifdef __cplusplus
+}
+#endif

@@ -1,0 +1,159 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+#
+# Everything a developer does, from a plain clone: ./dev.sh help
+set -Eeuo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+readonly root=$PWD
+readonly build=$root/build
+readonly sample=examples/data/mini
+jobs=${DOT_JOBS:-$(nproc 2>/dev/null || echo 2)}
+
+usage() {
+  cat <<'TXT'
+usage: ./dev.sh VERB
+
+  demo       build the runner, run it on the sample sequence, show where the pictures are
+  test       build everything and run all tests
+  bench      build and run the benchmarks; further arguments go to them, e.g. --benchmark_filter=warp
+  format     format all C++ and C files in place
+  lint       formatting, clang-tidy, versions; changes nothing
+  versions   check that version.hpp, dot.h, vcpkg.json and CHANGELOG.md name the same version
+  sanitize   run the tests with the address and undefined-behaviour sanitizers
+  help       this text
+
+Debian and Ubuntu packages that are missing are installed (as root, or through sudo). Elsewhere install them yourself:
+a C++17 compiler, CMake 3.22, Ninja, Eigen 3.3, OpenCV 4.5, GoogleTest, Google Benchmark.
+DOT_JOBS=N limits the number of compilers that run at once.
+TXT
+}
+
+say() {
+  if [ -t 1 ]; then printf '\n\033[1m== %s\033[0m\n' "$*"; else printf '\n== %s\n' "$*"; fi
+}
+fail() {
+  printf 'dev.sh: %s\n' "$*" >&2
+  exit 1
+}
+on_error() { printf 'dev.sh: failed in line %s: %s\n' "$1" "$2" >&2; }
+trap 'on_error "$LINENO" "$BASH_COMMAND"' ERR
+
+# need PACKAGE...: installs those that dpkg does not know as installed; on other systems trusts the user.
+need() {
+  command -v dpkg-query >/dev/null || return 0
+  local missing=() package
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = 'install ok installed' ] || missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+  say "installing ${missing[*]}"
+  local sudo=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || fail "please install these packages, or sudo, first: ${missing[*]}"
+    sudo=(sudo)
+  fi
+  local apt=("${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get)
+  # The package lists may be old or absent: a first try without fetching them is cheaper and works offline.
+  "${apt[@]}" install -y --no-install-recommends "${missing[@]}" && return 0
+  "${apt[@]}" update || fail "apt-get update failed: is there a network?"
+  "${apt[@]}" install -y --no-install-recommends "${missing[@]}" || fail "cannot install: ${missing[*]}"
+}
+need_compiler() { need g++ cmake ninja-build libeigen3-dev libopencv-dev libgtest-dev libbenchmark-dev; }
+
+# compile TARGET...
+compile() {
+  need_compiler
+  say "building $* in $build (Release)"
+  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
+    || fail "CMake could not configure; to start afresh, remove $build"
+  cmake --build "$build" --parallel "$jobs" --target "$@"
+}
+
+sources() { git ls-files '*.hpp' '*.cpp' '*.h' '*.c'; }
+
+demo() {
+  compile dot_run
+  say "running dot_run on $sample"
+  local out=$root/out/demo
+  rm -rf "$out"
+  "$build/examples/dot_run" "$sample" --out "$out" --overlay --mask-every 1
+  say "results"
+  printf 'labels    %s (0 background, 1 static, 2 moving, 3 not observable)\n' "$out/labels"
+  printf 'pictures  %s\n' "$out/overlay"
+  printf 'summary   %s\n' "$out/objects.csv" "$out/camera.txt" "$out/timing.csv"
+}
+
+run_tests() {
+  compile all
+  say "testing"
+  ctest --test-dir "$build" --output-on-failure -j2
+}
+
+bench() {
+  compile dot_bench
+  say "benchmarks"
+  "$build/bench/dot_bench" "$@"
+}
+
+format() {
+  need clang-format
+  sources | xargs clang-format -i
+  echo "formatted $(sources | wc -l) files"
+}
+
+# versions: version.hpp is the source; all that repeats it must agree.
+versions() {
+  local version major minor patch number
+  version=$(sed -n 's/^#define DOT_VERSION_STRING "\(.*\)"$/\1/p' include/dot/version.hpp)
+  [ -n "$version" ] || fail "include/dot/version.hpp has no DOT_VERSION_STRING"
+  grep -q "\"version\": \"$version\"" vcpkg.json || fail "vcpkg.json does not have version $version of include/dot/version.hpp"
+  IFS=. read -r major minor patch <<<"$version"
+  number=$((major * 1000000 + minor * 1000 + patch))
+  grep -q "^#define DOT_HEADER_VERSION $number$" capi/include/dot/dot.h || fail "capi/include/dot/dot.h: DOT_HEADER_VERSION is not $number"
+  [ -f CHANGELOG.md ] || fail "CHANGELOG.md is missing"
+  grep -qE "^## \[?v?${version//./\\.}\]?([ ,(-]|$)" CHANGELOG.md || fail "CHANGELOG.md has no section '## $version'"
+  echo "version $version everywhere"
+}
+
+lint() {
+  need_compiler
+  need clang-format clang-tidy
+  say "versions"
+  versions
+  say "formatting"
+  sources | xargs clang-format --dry-run -Werror || fail "not formatted; ./dev.sh format mends it"
+  say "clang-tidy"
+  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
+  git ls-files 'src/*.cpp' 'capi/*.cpp' 'examples/*.cpp' | xargs -P "$jobs" -n 1 clang-tidy -p "$build" --quiet
+}
+
+sanitize() {
+  need_compiler
+  say "building with sanitizers"
+  cmake --preset asan-ubsan
+  cmake --build --preset asan-ubsan --parallel "$jobs"
+  say "testing with sanitizers"
+  ctest --preset asan-ubsan -j2
+}
+
+verb=${1:-help}
+[ $# -eq 0 ] || shift
+case $verb in
+  demo) demo ;;
+  test) run_tests ;;
+  bench) bench "$@" ;;
+  format) format ;;
+  lint) lint ;;
+  sanitize) sanitize ;;
+  versions) versions ;;
+  help | -h | --help)
+    usage
+    exit 0
+    ;;
+  *)
+    usage >&2
+    fail "unknown verb '$verb'"
+    ;;
+esac
+printf '\n%s: done in %s s\n' "$verb" "$SECONDS"

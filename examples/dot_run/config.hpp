@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "dot/pipeline/options.hpp"
+
+namespace runner {
+
+/// Reads `name = value` lines into `options`; the names are those of dot::for_each_option, besides `classifier` and
+/// `depth_noise.source`. A `#` starts a comment.
+/// @throws FileError naming the line whose name or value is wrong.
+void read_config(const std::filesystem::path& path, dot::Options& options);
+
+/// stereo, rgbd, lidar or unknown.
+std::optional<dot::DepthSource> depth_source_by_name(const std::string& name);
+
+}  // namespace runner

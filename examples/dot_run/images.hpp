@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <opencv2/core.hpp>
+
+namespace runner {
+
+/// Reads a PNG or JPEG file with its own depth and channels.
+/// @throws FileError when it cannot be read, is cut short or is damaged.
+cv::Mat read_image(const std::filesystem::path& path);
+
+/// Like read_image, and checks the size.
+cv::Mat read_image(const std::filesystem::path& path, cv::Size size);
+
+/// Writes a PNG file.
+/// @throws FileError when that fails.
+void write_image(const std::filesystem::path& path, const cv::Mat& image);
+
+}  // namespace runner

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+
+/// Runs the tracker over a recorded sequence and writes what it finds; see arguments.cpp for the usage.
+
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <opencv2/core.hpp>
+#include <opencv2/core/utils/logger.hpp>
+
+#include "arguments.hpp"
+#include "config.hpp"
+#include "dot/tracker.hpp"
+#include "errors.hpp"
+#include "progress.hpp"
+#include "sequence.hpp"
+#include "writer.hpp"
+
+namespace {
+
+using namespace runner;
+
+const char* source_name(dot::DepthSource source) {
+  if (source == dot::DepthSource::Stereo) return "stereo";
+  if (source == dot::DepthSource::Rgbd) return "RGB-D";
+  if (source == dot::DepthSource::Lidar) return "lidar";
+  return "unknown sensor";
+}
+
+/// Defaults, then what the sequence says, then the configuration file, then the command line.
+dot::Options options_for(const Arguments& arguments, const Sequence& sequence) {
+  dot::Options options;
+  options.depth_noise.source = sequence.depth_source();
+  if (!arguments.config.empty()) read_config(arguments.config, options);
+  if (arguments.classifier) options.classifier = *arguments.classifier;
+  return options;
+}
+
+void run(const Arguments& arguments) {
+  cv::setNumThreads(arguments.threads);
+  Sequence sequence(arguments);
+  const dot::Options options = options_for(arguments, sequence);
+  dot::Tracker tracker(sequence.intrinsics(), options);
+  ResultWriter writer(arguments);
+  Summary summary;
+  std::printf("sequence  %s: %d frames, %dx%d, depth %s (%s)\n", arguments.sequence.c_str(), sequence.size(),
+              sequence.intrinsics().width, sequence.intrinsics().height,
+              sequence.stereo() ? "computed from the stereo pair" : "from files",
+              source_name(options.depth_noise.source));
+  {
+    Progress progress(sequence.size());
+    for (int i = 0; i < sequence.size(); ++i) {
+      const SequenceFrame frame = sequence.read(i);
+      const auto start = std::chrono::steady_clock::now();
+      const dot::Result& result = tracker.track(frame.frame());
+      const std::chrono::duration<double, std::milli> total = std::chrono::steady_clock::now() - start;
+      writer.write(frame, result, total.count());
+      summary.add(result, total.count());
+      progress.show(i + 1, result, total.count());
+    }
+  }
+  summary.print(arguments);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // Errors are told once, in one line, with the file's name.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  try {
+    const Arguments arguments = parse_arguments(argc, argv);
+    if (arguments.help) {
+      std::printf("%s", usage);
+      return 0;
+    }
+    run(arguments);
+    return 0;
+  } catch (const UsageError& error) {
+    std::fprintf(stderr, "dot_run: %s (dot_run --help lists the options)\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "dot_run: %s\n", error.what());
+    return 1;
+  }
+}

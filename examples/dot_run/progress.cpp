@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "progress.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <numeric>
+
+namespace runner {
+namespace {
+
+int count(const dot::Result& result, dot::State state) {
+  return static_cast<int>(std::count_if(result.objects.begin(), result.objects.end(), [&](const dot::ObjectResult& o) {
+    return o.area > 0 && o.state == state;
+  }));
+}
+
+double median(std::vector<double> values) {
+  const std::size_t half = values.size() / 2;
+  std::sort(values.begin(), values.end());
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+}  // namespace
+
+Progress::Progress(int frames) : frames_(frames), terminal_(isatty(STDOUT_FILENO) == 1) {}
+
+Progress::~Progress() {
+  // An error message must not continue the line.
+  if (line_open_) std::printf("\n");
+  std::fflush(stdout);
+}
+
+void Progress::show(int done, const dot::Result& result, double total_ms) {
+  constexpr int every = 10;
+  if (!terminal_ && done % every != 0 && done != frames_) return;
+  constexpr int width = 24;
+  const int filled = width * done / frames_;
+  const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
+                          std::string(static_cast<std::size_t>(width - filled), '.');
+  std::printf("%s[%s] %d/%d  %.1f ms  %d moving, %d static, %d not observable%s", terminal_ ? "\r" : "", bar.c_str(),
+              done, frames_, total_ms, count(result, dot::State::Moving), count(result, dot::State::Static),
+              count(result, dot::State::NotObservable), terminal_ ? "\033[K" : "\n");
+  line_open_ = terminal_;
+  std::fflush(stdout);
+}
+
+void Summary::add(const dot::Result& result, double total_ms) {
+  total_ms_.push_back(total_ms);
+  if (result.camera.status == dot::CameraStatus::Lost || result.camera.status == dot::CameraStatus::TooLittleDepth)
+    ++camera_lost_;
+  for (const dot::ObjectResult& object : result.objects)
+    if (object.area > 0) last_decided_[object.id] = object.last_decided;
+}
+
+void Summary::print(const Arguments& arguments) const {
+  const auto count_objects = [&](dot::State state) {
+    return std::count_if(last_decided_.begin(), last_decided_.end(), [&](auto& entry) { return entry.second == state; });
+  };
+  const long moving = count_objects(dot::State::Moving);
+  const long standing = count_objects(dot::State::Static);
+  const long undecided = static_cast<long>(last_decided_.size()) - moving - standing;
+
+  std::printf("frames    %zu", total_ms_.size());
+  if (camera_lost_ > 0) std::printf(", camera motion not found in %d", camera_lost_);
+  std::printf("\nobjects   %zu: %ld moving, %ld static, %ld never decided (as last decided)\n", last_decided_.size(),
+              moving, standing, undecided);
+  if (total_ms_.size() > 1) {
+    // The first frame takes the buffers and has nothing to compare with.
+    const std::vector<double> ms(total_ms_.begin() + 1, total_ms_.end());
+    std::printf("time      %.1f ms a frame, median %.1f (tracking alone, without the first frame)\n",
+                std::accumulate(ms.begin(), ms.end(), 0.0) / static_cast<double>(ms.size()), median(ms));
+  } else {
+    std::printf("time      %.1f ms (first frame)\n", total_ms_.front());
+  }
+
+  const std::filesystem::path out = std::filesystem::absolute(arguments.out).lexically_normal();
+  std::printf("results   %s\n", out.c_str());
+  std::printf("          labels/ instances/ %scamera.txt objects.csv timing.csv\n", arguments.overlay ? "overlay/ " : "");
+  if (!arguments.masks_out.empty())
+    std::printf("masks     %s: mask_dot/ mask_all/\n",
+                std::filesystem::absolute(arguments.masks_out).lexically_normal().c_str());
+}
+
+}  // namespace runner

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+
+#include "arguments.hpp"
+#include "dot/image/image.hpp"
+#include "dot/lie/se3.hpp"
+#include "dot/pipeline/result.hpp"
+#include "sequence.hpp"
+
+namespace runner {
+
+/// Writes the results of a sequence, frame by frame; each `write` leaves complete files behind.
+class ResultWriter {
+ public:
+  /// Makes the folders and starts the tables.
+  /// @throws FileError naming what cannot be written.
+  explicit ResultWriter(const Arguments& arguments);
+
+  /// @param total_ms time of the whole `track`.
+  /// @throws FileError when a file cannot be written, std::runtime_error when the result does not fit the formats.
+  void write(const SequenceFrame& frame, const dot::Result& result, double total_ms);
+
+ private:
+  void write_images(const SequenceFrame& frame, const dot::Result& result, double total_ms);
+  void write_masks(const SequenceFrame& frame, const dot::Result& result);
+
+  /// A text file that grows by the frame.
+  struct Table {
+    std::filesystem::path path;
+    std::ofstream stream;
+    void open(std::filesystem::path where);
+    void flush();
+  };
+
+  std::filesystem::path out_;
+  std::filesystem::path masks_out_;
+  bool overlay_ = false;
+  Table camera_;
+  Table objects_;
+  Table timing_;
+  dot::SE3d T_world_camera_;
+  dot::Image<std::uint8_t> exclusion_;
+};
+
+}  // namespace runner

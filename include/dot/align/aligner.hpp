@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Cholesky>
+
+#include "dot/align/pearson.hpp"
+#include "dot/align/reduction.hpp"
+#include "dot/align/robust.hpp"
+#include "dot/align/settings.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// What to align: points of a reference to an image, T_i_j = T_outer T_o.
+///
+/// The unknown x moves T_o by a left twist about the region's centroid c, T_o <- Tr(c') exp(x) Tr(-c') T_o with
+/// c' = T_o c (an object: its rotation error does not leak into metres of translation), or about the camera's origin
+/// when `centred` is false (the camera itself: T_outer = 1, T_c <- exp(x) T_c; paper eq. 3).
+template <typename Camera>
+struct AlignProblem {
+  const PointSet& points;
+  const Pyramid& image;
+  const Camera& camera;
+  DepthTerm depth{};
+  SE3d T_outer{};
+  bool centred = false;
+  Vector3<double> centroid = Vector3<double>::Zero();     ///< c, camera axes of the reference
+  Matrix6<double> prior = Matrix6<double>::Zero();        ///< information of [T_o c - c; log R_o] about zero
+};
+
+/// Result of an alignment.
+struct Alignment {
+  AlignState state;             ///< T = T_i_j
+  Matrix8 H = Matrix8::Zero();  ///< information of [x; a; b], prior included
+  Matrix8 covariance = Matrix8::Zero();
+  std::array<Vector8, 4> depth_modes{};  ///< x that a unit of each depth error mode causes (NormalEquations::modes)
+  double sigma_intensity = 0;   ///< grey values, level 0
+  double normalised_variance = 0;
+  double phi = 0;               ///< Pearson correlation of the inliers
+  int inside = 0, seen = 0, occluded = 0, inliers = 0;
+  int with_depth = 0, depth_agrees = 0;  ///< seen points with measured depth; those within 3 sigma of the prediction
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Direct aligner: Gauss-Newton on the Huber cost, coarse to fine, with jointly estimated gain and offset
+/// (paper eq. 1-5). Buffers are kept from call to call.
+template <typename Reduction = SerialReduction>
+struct DirectAligner {
+  AlignSettings settings;
+  Reduction reduction;
+
+  /// Refines `start` over the levels coarsest..finest.
+  template <typename Camera>
+  Alignment align(const AlignProblem<Camera>& problem, const AlignState& start, int coarsest, int finest = 0) {
+    Alignment a;
+    a.state = start;
+    excluded_.assign(static_cast<std::size_t>(problem.points.size()), 0);
+    for (int level = coarsest; level >= finest; --level) refine(problem, level, a);
+    return a;
+  }
+
+  /// Takes outliers by their distance to the fitted line between intensities (paper, section 3.C), refines once more on
+  /// level 0, and fills the statistics.
+  template <typename Camera>
+  void finish(const AlignProblem<Camera>& problem, Alignment& a) {
+    const Camera camera = problem.camera;
+    evaluate(problem, camera, 0, a);
+    excluded_.assign(static_cast<std::size_t>(problem.points.size()), 0);
+    const auto s2 = [&](const PointResidual& p) { return sq(a.sigma_intensity) + static_cast<double>(p.extra); };
+    for (std::size_t i = 0; i < residuals_.size(); ++i)
+      excluded_[i] = residuals_[i].seen && sq(residuals_[i].r) > sq(settings.outlier) * s2(residuals_[i]);
+    refine(problem, 0, a);
+    // Statistics over all points, the excluded too.
+    const ResidualNoise noise = residual_noise(a);
+    reduction.residuals(problem.points, 0, camera, problem.image.levels[0], a.state, noise, problem.depth, residuals_);
+    Pearson pearson;
+    double sum = 0;
+    a.inside = a.seen = a.occluded = a.inliers = a.with_depth = a.depth_agrees = 0;
+    for (std::size_t i = 0; i < residuals_.size(); ++i) {
+      const PointResidual& p = residuals_[i];
+      a.occluded += p.occluded;
+      if (!p.seen) continue;
+      ++a.seen;
+      if (p.has_depth) {
+        ++a.with_depth;
+        a.depth_agrees += std::abs(p.r_depth) < 3 * problem.depth.sigma;
+      }
+      if (sq(p.r) > sq(settings.outlier) * s2(p)) continue;
+      ++a.inliers;
+      sum += sq(p.r) / s2(p);
+      pearson.add(static_cast<double>(problem.points.intensity[0][i]), static_cast<double>(p.value));
+    }
+    a.inside = a.seen + a.occluded;
+    a.phi = pearson.correlation();
+    a.normalised_variance = a.inliers ? sum / a.inliers : 0;
+  }
+
+  /// Mean Tukey cost over the visible points of a level, with a given sigma_I; ranks local minima. Includes the depth
+  /// term. Infinite when nothing is visible.
+  template <typename Camera>
+  double rank(const AlignProblem<Camera>& problem, const AlignState& state, int level, double sigma_intensity) {
+    const Camera camera = problem.camera.at_level(level);
+    ResidualNoise noise{static_cast<float>(sigma_intensity), static_cast<float>(settings.gradient_noise),
+                        static_cast<float>(settings.huber)};
+    reduction.residuals(problem.points, level, camera, problem.image.levels[static_cast<std::size_t>(level)], state, noise,
+                        problem.depth, residuals_);
+    double sum = 0;
+    int seen = 0;
+    const float s2 = noise.sigma_intensity * noise.sigma_intensity, c = static_cast<float>(settings.tukey);
+    for (const PointResidual& p : residuals_) {
+      if (!p.seen) continue;
+      ++seen;
+      sum += static_cast<double>(tukey_cost(p.r / std::sqrt(s2 + p.extra), c));
+      if (p.has_depth && problem.depth.weight > 0)
+        sum += static_cast<double>(problem.depth.weight * tukey_cost(p.r_depth / problem.depth.sigma, c));
+    }
+    return seen >= 10 ? sum / seen : std::numeric_limits<double>::infinity();
+  }
+
+  /// Robust sigma_I of a level at a pose: the value at which the median normalised residual is that of a normal.
+  template <typename Camera>
+  double intensity_sigma(const AlignProblem<Camera>& problem, const AlignState& state, int level) {
+    const Camera camera = problem.camera.at_level(level);
+    ResidualNoise noise{1, static_cast<float>(settings.gradient_noise), static_cast<float>(settings.huber)};
+    reduction.residuals(problem.points, level, camera, problem.image.levels[static_cast<std::size_t>(level)], state, noise,
+                        problem.depth, residuals_);
+    return scale_of_residuals();
+  }
+
+ private:
+  static double sq(double x) { return x * x; }
+
+  ResidualNoise residual_noise(const Alignment& a) const {
+    return {static_cast<float>(a.sigma_intensity), static_cast<float>(settings.gradient_noise),
+            static_cast<float>(settings.huber)};
+  }
+
+  double scale_of_residuals() {
+    scratch_.clear();
+    for (std::size_t i = 0; i < residuals_.size(); ++i)
+      if (residuals_[i].seen && !(i < excluded_.size() && excluded_[i])) scratch_.push_back(std::abs(residuals_[i].r));
+    double sigma = std::max(settings.min_intensity_sigma, static_cast<double>(mad_sigma(scratch_)));
+    for (int pass = 0; pass < 3; ++pass) {
+      scratch_.clear();
+      const float s2 = static_cast<float>(sigma * sigma);
+      for (std::size_t i = 0; i < residuals_.size(); ++i) {
+        const PointResidual& p = residuals_[i];
+        if (p.seen && !(i < excluded_.size() && excluded_[i])) scratch_.push_back(std::abs(p.r) / std::sqrt(s2 + p.extra));
+      }
+      sigma = std::max(settings.min_intensity_sigma, sigma * static_cast<double>(mad_sigma(scratch_)));
+    }
+    return sigma;
+  }
+
+  template <typename Camera>
+  void evaluate(const AlignProblem<Camera>& problem, const Camera& camera, int level, Alignment& a) {
+    reduction.residuals(problem.points, level, camera, problem.image.levels[static_cast<std::size_t>(level)], a.state,
+                        residual_noise(a), problem.depth, residuals_);
+    a.sigma_intensity = scale_of_residuals();
+  }
+
+  /// Gauss-Newton on one level, twice: the residual scale follows the first convergence.
+  template <typename Camera>
+  void refine(const AlignProblem<Camera>& problem, int level, Alignment& a) {
+    const Camera camera = problem.camera.at_level(level);
+    const Image<std::uint8_t>& image = problem.image.levels[static_cast<std::size_t>(level)];
+    for (int round = 0; round < 2; ++round) {
+      evaluate(problem, camera, level, a);
+      const ResidualNoise noise = residual_noise(a);
+      AlignState accepted = a.state;
+      double accepted_cost = std::numeric_limits<double>::infinity();
+      a.converged = false;
+      for (int iteration = 0; iteration < settings.max_iterations; ++iteration) {
+        NormalEquations sums = reduction.linearize(problem.points, level, camera, image, a.state, noise, problem.depth,
+                                                   excluded_.data(), residuals_);
+        if (sums.seen < 10) {
+          a.state = accepted;
+          break;
+        }
+        ++a.iterations;
+        // From the camera's left twist to x: T <- exp(Ad(A) x) T with A = T_outer Tr(c').
+        const SE3d T_o = problem.T_outer.inverse() * a.state.T;
+        const Vector3<double> moved = problem.centred ? Vector3<double>(T_o * problem.centroid) : Vector3<double>::Zero();
+        const SE3d A = problem.T_outer * SE3d::translation(moved);
+        Matrix8 Ad = Matrix8::Identity();
+        Ad.topLeftCorner<6, 6>() = A.adjoint();
+        Matrix8 H = Ad.transpose() * sums.H * Ad;
+        Vector8 g = Ad.transpose() * sums.g;
+        double cost = sums.cost;
+        if (problem.centred) {
+          Vector6<double> p;
+          p << moved - problem.centroid, so3::log(T_o.R);
+          H.topLeftCorner<6, 6>() += problem.prior;
+          g.head<6>() += problem.prior * p;
+          cost += 0.5 * p.dot(problem.prior * p) / sums.seen;
+        }
+        if (cost > accepted_cost) {
+          a.state = accepted;
+          a.converged = true;
+          break;
+        }
+        accepted = a.state;
+        accepted_cost = cost;
+        // A whiff of damping relative to each parameter keeps a direction that no point sees from exploding.
+        Matrix8 damped = H;
+        damped.diagonal() += 1e-7 * H.diagonal() + Vector8::Constant(1e-9);
+        const Eigen::LDLT<Matrix8> solver(damped);
+        const Vector8 x = -solver.solve(g);
+        a.H = H;
+        a.covariance = solver.solve(Matrix8::Identity());
+        for (std::size_t m = 0; m < 4; ++m) a.depth_modes[m] = -solver.solve(Ad.transpose() * sums.modes[m]);
+        if (!x.allFinite()) break;
+        const double decrease = -g.dot(x);  // x' H x: the step in squared sigmas
+        a.state.T = (A * SE3d::exp(x.head<6>()) * A.inverse() * a.state.T).normalized();
+        a.state.gain += x[6];
+        a.state.offset += x[7];
+        if (decrease < 0.02) {
+          a.converged = true;
+          break;
+        }
+      }
+      if (level > 0) break;
+    }
+  }
+
+  std::vector<PointResidual> residuals_;
+  std::vector<std::uint8_t> excluded_;
+  std::vector<float> scratch_;
+};
+
+DOT_END_NAMESPACE

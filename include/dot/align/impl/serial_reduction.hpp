@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "dot/align/reduction.hpp"
+#include "dot/align/robust.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+template <bool kDerivatives, typename Camera>
+int SerialReduction::run(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
+                         const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
+                         const std::uint8_t* excluded, std::vector<PointResidual>& out, NormalEquations* sums) {
+  using Vector3f = Eigen::Matrix<float, 3, 1>;
+  using Vector8f = Eigen::Matrix<float, 8, 1>;
+  const int n = points.size();
+  out.resize(static_cast<std::size_t>(n));
+  const Matrix3<float> R = state.T.R.cast<float>();
+  const Vector3f t = state.T.t.cast<float>();
+  const float gain = static_cast<float>(state.gain), offset = static_cast<float>(state.offset);
+  const float scale = static_cast<float>(1 << level);
+  const float u_max = static_cast<float>(image.width() - 3), v_max = static_cast<float>(image.height() - 3);
+  const float s2_intensity = noise.sigma_intensity * noise.sigma_intensity;
+  const float gradient2 = noise.gradient_noise * noise.gradient_noise;
+  const bool use_depth = depth.inverse_depth.data != nullptr;
+  const std::vector<float>& reference = points.intensity[static_cast<std::size_t>(level)];
+
+  // Half extents of the region, for the linear modes.
+  float u0 = 0, v0 = 0, u_half = 1, v_half = 1;
+  if (kDerivatives && use_depth && n > 0) {
+    const auto [u_lo, u_hi] = std::minmax_element(points.u.begin(), points.u.end());
+    const auto [v_lo, v_hi] = std::minmax_element(points.v.begin(), points.v.end());
+    u0 = 0.5f * (*u_lo + *u_hi), v0 = 0.5f * (*v_lo + *v_hi);
+    u_half = std::max(1.f, 0.5f * (*u_hi - *u_lo)), v_half = std::max(1.f, 0.5f * (*v_hi - *v_lo));
+  }
+
+  int seen = 0;
+  for (int i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    PointResidual& p = out[k];
+    p = {};
+    if (excluded && excluded[i]) continue;
+    const float q = points.q[k];
+    const Vector3f ray = R * Vector3f(points.x[k], points.y[k], 1.f);
+    const Vector3f X = ray + q * t;
+    if (X.z() < 1e-3f) continue;
+    const float qi = q / X.z();
+    Eigen::Matrix<float, 2, 3> J_pi;
+    const Eigen::Matrix<float, 2, 1> pixel = camera.template project<float>(X, &J_pi);
+    if (!(pixel.x() >= 1 && pixel.y() >= 1 && pixel.x() < u_max && pixel.y() < v_max)) continue;
+
+    if (use_depth) {
+      const int u = static_cast<int>((pixel.x() + 0.5f) * scale), v = static_cast<int>((pixel.y() + 0.5f) * scale);
+      if (depth.inverse_depth.contains(u, v)) {
+        const float measured = depth.inverse_depth(u, v);
+        const float difference = measured - qi;
+        const bool nearer = measured > 0 && difference > std::max(depth.occlusion_relative * qi,
+                                                                 depth.occlusion_sigmas * depth.sigma);
+        const bool hidden = depth.hidden.data != nullptr && depth.hidden(u, v);
+        if (nearer || hidden) {
+          p.occluded = 1;
+          if (sums) ++sums->occluded;
+          continue;
+        }
+        if (measured > 0) p.has_depth = 1, p.r_depth = difference;
+      }
+    }
+
+    const Sample s = sample(image, pixel.x(), pixel.y());
+    p.seen = 1;
+    p.value = s.value;
+    p.r = s.value - gain * reference[k] - offset;
+    // The residual's derivative by the moved point X~, and by its inverse depth (dX~/dq = t).
+    const Vector3f dr_dX(s.gx * J_pi(0, 0) + s.gy * J_pi(1, 0), s.gx * J_pi(0, 1) + s.gy * J_pi(1, 1),
+                         s.gx * J_pi(0, 2) + s.gy * J_pi(1, 2));
+    const float dr_dq = dr_dX.dot(t);
+    const float by_depth = dr_dq * points.sigma_q[k];
+    p.extra = by_depth * by_depth + gradient2 * (s.gx * s.gx + s.gy * s.gy);
+    ++seen;
+
+    if constexpr (kDerivatives) {
+      // dX~/dxi = [q I, -[X~]x]
+      Vector8f J;
+      J << q * dr_dX, X.cross(dr_dX), -reference[k], -1.f;
+      const float s2 = s2_intensity + p.extra;
+      const float e = p.r / std::sqrt(s2);
+      const float w = huber_weight(e, noise.huber) / s2;
+      sums->cost += static_cast<double>(huber_cost(e, noise.huber));
+      const Vector8 Jd = J.cast<double>();
+      sums->H.selfadjointView<Eigen::Lower>().rankUpdate(Jd, static_cast<double>(w));
+      sums->g += static_cast<double>(w * p.r) * Jd;
+      if (use_depth) {
+        const Vector8 per_depth = static_cast<double>(w * dr_dq) * Jd;
+        sums->modes[0] += per_depth;
+        sums->modes[1] += static_cast<double>((points.u[k] - u0) / u_half) * per_depth;
+        sums->modes[2] += static_cast<double>((points.v[k] - v0) / v_half) * per_depth;
+        if (p.has_depth && depth.weight > 0) {
+          // r_depth = measured - q / Z~; the predicted q' = q / Z~ moves by -q' dZ~ / Z~.
+          const float f = qi / X.z();
+          Vector8f Jq = Vector8f::Zero();
+          Jq[2] = f * q;
+          Jq[3] = f * X.y();
+          Jq[4] = -f * X.x();
+          const float eq = p.r_depth / depth.sigma;
+          const float wq = depth.weight * huber_weight(eq, noise.huber) / (depth.sigma * depth.sigma);
+          const Vector8 Jqd = Jq.cast<double>();
+          sums->H.selfadjointView<Eigen::Lower>().rankUpdate(Jqd, static_cast<double>(wq));
+          sums->g += static_cast<double>(wq * p.r_depth) * Jqd;
+          sums->cost += static_cast<double>(depth.weight * huber_cost(eq, noise.huber));
+          sums->modes[3] += static_cast<double>(wq) * Jqd;
+        }
+      }
+    }
+  }
+  if (sums) {
+    sums->H.template triangularView<Eigen::StrictlyUpper>() = sums->H.transpose();
+    sums->seen = seen;
+    sums->inside = seen + sums->occluded;
+    sums->cost = seen ? sums->cost / seen : 0;
+  }
+  return seen;
+}
+
+DOT_END_NAMESPACE

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+namespace dot {
+
+/// Pearson's correlation coefficient phi, accumulated (paper eq. 8): invariant to gain and offset.
+struct Pearson {
+  double n = 0, mean_x = 0, mean_y = 0, xx = 0, xy = 0, yy = 0;
+
+  /// Adds a pair (Welford's update: no cancellation).
+  void add(double x, double y) {
+    n += 1;
+    const double dx = x - mean_x, dy = y - mean_y;
+    mean_x += dx / n;
+    mean_y += dy / n;
+    xx += dx * (x - mean_x);
+    yy += dy * (y - mean_y);
+    xy += dx * (y - mean_y);
+  }
+
+  /// In [-1, 1]; 0 where one of the two does not vary.
+  double correlation() const { return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : 0; }
+
+  /// Slope of the least-squares line y = slope x + intercept.
+  double slope() const { return xx > 0 ? xy / xx : 0; }
+  double intercept() const { return mean_y - slope() * mean_x; }
+};
+
+}  // namespace dot

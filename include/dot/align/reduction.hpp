@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "dot/abi.hpp"
+#include "dot/image/pyramid.hpp"
+#include "dot/lie/se3.hpp"
+#include "dot/points/point_set.hpp"
+
+/// @file
+/// The photometric factor and its reduction: residuals of all points at one pose, and their normal equations.
+///
+/// Residual (paper eq. 2 and 5, made invariant to exposure): r = I_i(p') - a I_j(p) - b, with p' = Pi(T X), X the point
+/// of reference j in camera axes and T = T_i_j. In inverse depth, X~ = q T X = R (x, y, 1) + q t.
+/// Derivatives are taken for a left twist of T: T <- exp(xi) T, xi = [translation; rotation] in the axes of camera i.
+
+DOT_BEGIN_NAMESPACE
+
+using Vector8 = Eigen::Matrix<double, 8, 1>;
+using Matrix8 = Eigen::Matrix<double, 8, 8>;
+
+/// What the measured depth of the new frame says of a point (objects only).
+struct DepthTerm {
+  ImageView<const float> inverse_depth;             ///< of the new frame, 0 = none; empty = term not used
+  ImageView<const std::uint8_t> hidden;             ///< non-zero: a nearer object covers the pixel; may be empty
+  float occlusion_relative = 0.15f;                 ///< a measured surface nearer by this share hides the point ...
+  float occlusion_sigmas = 6;                       ///< ... if it also exceeds this many sigma
+  float sigma = 0;                                  ///< of the difference measured - predicted, 1/m
+  float weight = 0;                                 ///< of one point's depth residual
+};
+
+/// Pose and photometry at which a reduction linearises.
+struct AlignState {
+  SE3d T;             ///< T_i_j of the points
+  double gain = 1;    ///< a
+  double offset = 0;  ///< b, grey values
+};
+
+/// Noise model of a reduction: s^2 = sigma_I^2 + (dr/dq sigma_q)^2 + (gradient_noise |grad I|)^2.
+struct ResidualNoise {
+  float sigma_intensity = 5;  ///< grey values
+  float gradient_noise = 0.06f;
+  float huber = 1.345f;
+};
+
+/// One point's residual at a pose.
+struct PointResidual {
+  float r = 0;         ///< grey values
+  float extra = 0;     ///< variance besides sigma_I^2
+  float value = 0;     ///< I_i(p')
+  float r_depth = 0;   ///< measured minus predicted inverse depth, 1/m
+  std::uint8_t seen = 0;        ///< 1: inside the image, in front, not hidden
+  std::uint8_t has_depth = 0;   ///< r_depth holds
+  std::uint8_t occluded = 0;    ///< inside the image, but hidden
+};
+
+/// Sums over the points. `depth_*` is kept apart: it serves objects only.
+struct NormalEquations {
+  Matrix8 H = Matrix8::Zero();  ///< of [xi; a; b]
+  Vector8 g = Vector8::Zero();  ///< gradient, sum of w J r / s^2
+  double cost = 0;              ///< Huber, mean over seen points
+  int seen = 0;
+  int occluded = 0;
+  int inside = 0;               ///< seen or occluded
+  /// Gradient of a depth error of the points that is constant over the region or grows linearly over it
+  /// (sum of w J (dr/dq) m / s^2 for the modes m = 1, and u, v over the half extent), and of a change of that error
+  /// between the two frames.
+  std::array<Vector8, 4> modes{Vector8::Zero(), Vector8::Zero(), Vector8::Zero(), Vector8::Zero()};
+};
+
+/// The readable reference: one point after the other, any camera. A faster one has the same two functions.
+struct SerialReduction {
+  /// Residuals at `state`, without derivatives. `excluded[i]` non-zero leaves a point out; may be null.
+  template <typename Camera>
+  static int residuals(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
+                       const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
+                       std::vector<PointResidual>& out) {
+    return run<false>(points, level, camera, image, state, noise, depth, nullptr, out, nullptr);
+  }
+
+  /// Normal equations at `state`; leaves the residuals in `out`.
+  template <typename Camera>
+  static NormalEquations linearize(const PointSet& points, int level, const Camera& camera,
+                                   const Image<std::uint8_t>& image, const AlignState& state, const ResidualNoise& noise,
+                                   const DepthTerm& depth, const std::uint8_t* excluded,
+                                   std::vector<PointResidual>& out) {
+    NormalEquations sums;
+    run<true>(points, level, camera, image, state, noise, depth, excluded, out, &sums);
+    return sums;
+  }
+
+ private:
+  template <bool kDerivatives, typename Camera>
+  static int run(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
+                 const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
+                 const std::uint8_t* excluded, std::vector<PointResidual>& out, NormalEquations* sums);
+};
+
+DOT_END_NAMESPACE
+
+#include "dot/align/impl/serial_reduction.hpp"

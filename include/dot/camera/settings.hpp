@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace dot {
+
+/// Where the depth comes from; sets the form of its noise (camera/depth_noise.hpp).
+enum class DepthSource : std::uint8_t { Unknown, Stereo, Rgbd, Lidar };
+
+/// Priors of the depth noise. Their size is estimated online; these start it and bound it.
+struct DepthNoiseSettings {
+  DepthSource source = DepthSource::Unknown;
+  double stereo_sigma_px = 0.3;    ///< disparity noise of one pixel
+  double stereo_common_px = 0.2;   ///< disparity error that an object's pixels share
+  double rgbd_sigma = 0.002;       ///< metres at 1 m; grows with the square of the depth
+  double rgbd_common = 0.001;      ///< metres at 1 m, shared by an object's pixels
+  double lidar_sigma = 0.03;       ///< metres
+  double lidar_common = 0.01;      ///< metres, shared
+  double unknown_relative = 0.01;  ///< share of the inverse depth (per pixel), until measured
+};
+
+}  // namespace dot

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// @file
+/// DOT_EXPORT marks what the compiled tier (libdot_core) offers.
+///
+/// Right for a static and a shared library alike, and inside and outside CMake: a user defines nothing. Windows needs
+/// no dllimport for classes without data members; functions are found through the import library.
+#if defined(_WIN32)
+#if defined(DOT_CORE_EXPORTS)
+#define DOT_EXPORT __declspec(dllexport)
+#else
+#define DOT_EXPORT
+#endif
+#elif defined(__GNUC__)
+#define DOT_EXPORT __attribute__((visibility("default")))
+#else
+#define DOT_EXPORT
+#endif

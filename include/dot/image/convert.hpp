@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "dot/image/image.hpp"
+#include "dot/image/opencv.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+namespace dot {
+
+/// Luminance of an image of any colour format, 8 bit.
+inline void to_grey(const ImageRef& image, Image<std::uint8_t>& grey) {
+  grey.resize(image.width, image.height);
+  cv::Mat out = mat(grey.view());
+  const auto in = [&](int type) {
+    return cv::Mat(image.height, image.width, type, const_cast<void*>(image.data), static_cast<std::size_t>(image.stride));
+  };
+  switch (image.format) {
+    case PixelFormat::Bgr8: cv::cvtColor(in(CV_8UC3), out, cv::COLOR_BGR2GRAY); break;
+    case PixelFormat::Rgb8: cv::cvtColor(in(CV_8UC3), out, cv::COLOR_RGB2GRAY); break;
+    case PixelFormat::Bgra8: cv::cvtColor(in(CV_8UC4), out, cv::COLOR_BGRA2GRAY); break;
+    default: in(CV_8UC1).copyTo(out);
+  }
+}
+
+/// Inverse depth in 1/m; 0 where there is no measurement: zero, negative, NaN, infinite or beyond `max_depth` metres.
+/// @return the number of measurements.
+inline int to_inverse_depth(const ImageRef& depth, double max_depth, Image<float>& inverse_depth) {
+  inverse_depth.resize(depth.width, depth.height);
+  const float far = static_cast<float>(max_depth);
+  const float unit = static_cast<float>(depth.depth_units_per_metre);
+  int valid = 0;
+  const auto convert = [&](auto view, float units_per_metre) {
+    for (int y = 0; y < depth.height; ++y) {
+      const auto* in = view.row(y);
+      float* out = inverse_depth.row(y);
+      for (int x = 0; x < depth.width; ++x) {
+        const float z = static_cast<float>(in[x]) / units_per_metre;
+        const bool ok = z > 1e-3f && z < far;  // false for NaN and infinity
+        out[x] = ok ? 1 / z : 0;
+        valid += ok;
+      }
+    }
+  };
+  if (depth.format == PixelFormat::DepthU16)
+    convert(ImageView<const std::uint16_t>{static_cast<const std::uint16_t*>(depth.data), depth.width, depth.height, depth.stride}, unit);
+  else
+    convert(ImageView<const float>{static_cast<const float*>(depth.data), depth.width, depth.height, depth.stride}, 1.f);
+  return valid;
+}
+
+}  // namespace dot

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "dot/image/view.hpp"
+
+namespace dot {
+
+/// An image that owns its pixels, rows without padding. `resize` keeps the memory it has when it suffices.
+template <typename T>
+class Image {
+ public:
+  Image() = default;
+  Image(int width, int height) { resize(width, height); }
+
+  /// Takes the size; the contents are unspecified afterwards.
+  void resize(int width, int height) {
+    width_ = width;
+    height_ = height;
+    pixels_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  }
+  void fill(T value) { std::fill(pixels_.begin(), pixels_.end(), value); }
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  bool empty() const { return pixels_.empty(); }
+  bool contains(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
+  T& operator()(int x, int y) { return row(y)[x]; }
+  const T& operator()(int x, int y) const { return row(y)[x]; }
+  T* row(int y) { return pixels_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_); }
+  const T* row(int y) const { return pixels_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_); }
+  ImageView<T> view() { return {pixels_.data(), width_, height_, width_ * static_cast<std::ptrdiff_t>(sizeof(T))}; }
+  ImageView<const T> view() const {
+    return {pixels_.data(), width_, height_, width_ * static_cast<std::ptrdiff_t>(sizeof(T))};
+  }
+
+ private:
+  int width_ = 0;
+  int height_ = 0;
+  std::vector<T> pixels_;
+};
+
+}  // namespace dot

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "dot/image/image.hpp"
+#include "dot/image/opencv.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+namespace dot {
+
+/// Grey images, each half the size of the one before. Level 0 is the image after a Gaussian blur that takes the
+/// pixel noise and the aliasing out of the gradients; a pixel of level l + 1 is the mean of 2x2 pixels of level l, so
+/// u_l = (u_0 + 0.5) / 2^l - 0.5.
+struct Pyramid {
+  std::vector<Image<std::uint8_t>> levels;
+
+  int width() const { return levels.empty() ? 0 : levels[0].width(); }
+  int height() const { return levels.empty() ? 0 : levels[0].height(); }
+  int size() const { return static_cast<int>(levels.size()); }
+
+  /// @param blur_sigma pixels of level 0.
+  void build(ImageView<const std::uint8_t> grey, int level_count, double blur_sigma = 0.8) {
+    levels.resize(static_cast<std::size_t>(level_count));
+    levels[0].resize(grey.width, grey.height);
+    cv::GaussianBlur(mat(grey), mat(levels[0].view()), cv::Size(5, 5), blur_sigma, blur_sigma, cv::BORDER_REPLICATE);
+    for (std::size_t l = 1; l < levels.size(); ++l) {
+      Image<std::uint8_t>& below = levels[l - 1];
+      levels[l].resize(below.width() / 2, below.height() / 2);
+      const cv::Mat even = mat(below.view())(cv::Rect(0, 0, levels[l].width() * 2, levels[l].height() * 2));
+      cv::Mat out = mat(levels[l].view());
+      cv::resize(even, out, out.size(), 0, 0, cv::INTER_AREA);
+    }
+  }
+};
+
+/// As many levels as leave the coarsest about 80 pixels wide and not under 20 high, at most `max_levels`.
+inline int pyramid_levels(int width, int height, int max_levels) {
+  int levels = 1;
+  while (levels < max_levels && (width >> levels) >= 70 && (height >> levels) >= 20) ++levels;
+  return levels;
+}
+
+/// Value and gradient of an 8-bit image at (u, v), bilinear between the pixels' values and central differences.
+struct Sample {
+  float value, gx, gy;  ///< grey values; grey values per pixel
+};
+
+/// @pre 1 <= u < width - 2 and 1 <= v < height - 2.
+inline Sample sample(const Image<std::uint8_t>& image, float u, float v) {
+  const int x = static_cast<int>(u), y = static_cast<int>(v);
+  const float a = u - static_cast<float>(x), b = v - static_cast<float>(y);
+  const std::ptrdiff_t stride = image.width();
+  const std::uint8_t* p = image.row(y) + x;
+  const auto f = [&](int i, int j) { return static_cast<float>(p[i + j * stride]); };
+  const float w00 = (1 - a) * (1 - b), w10 = a * (1 - b), w01 = (1 - a) * b, w11 = a * b;
+  const float i00 = f(0, 0), i10 = f(1, 0), i01 = f(0, 1), i11 = f(1, 1);
+  return {w00 * i00 + w10 * i10 + w01 * i01 + w11 * i11,
+          0.5f * (w00 * (i10 - f(-1, 0)) + w10 * (f(2, 0) - i00) + w01 * (i11 - f(-1, 1)) + w11 * (f(2, 1) - i01)),
+          0.5f * (w00 * (i01 - f(0, -1)) + w10 * (i11 - f(1, -1)) + w01 * (f(0, 2) - i00) + w11 * (f(1, 2) - i10))};
+}
+
+}  // namespace dot

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "dot/mask/hungarian.hpp"
+#include "dot/mask/mask.hpp"
+#include "dot/mask/settings.hpp"
+
+namespace dot {
+
+/// Which predicted mask each observed one continues: the assignment that minimises the sum of 1 - IoU, over pairs with
+/// IoU >= min_iou, or of which one covers min_containment of the smaller (a mask split, merged or half occluded).
+///
+/// Every mask has at most one partner. One that has none counts like an overlap of zero, so that a good pair is never
+/// broken up for the sake of two poor ones.
+/// @return for each observed mask the index of its predicted one, or -1.
+inline std::vector<int> associate(const std::vector<const Mask*>& predicted, const std::vector<const Mask*>& observed,
+                                  const MaskSettings& settings) {
+  const std::size_t n = predicted.size();
+  std::vector<double> cost(observed.size() * n, 1.0);
+  std::vector<char> allowed(cost.size(), 0);
+  for (std::size_t i = 0; i < observed.size(); ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      const Mask &a = *observed[i], &b = *predicted[j];
+      const int both = overlap(a, b);
+      if (both == 0) continue;
+      const double share = static_cast<double>(both) / (a.area + b.area - both);
+      const double covered = static_cast<double>(both) / std::min(a.area, b.area);
+      if (share < settings.min_iou && covered < settings.min_containment) continue;
+      cost[i * n + j] = 1 - share;
+      allowed[i * n + j] = 1;
+    }
+  }
+  std::vector<int> partner = assign(cost, static_cast<int>(observed.size()), static_cast<int>(n));
+  for (std::size_t i = 0; i < partner.size(); ++i)
+    if (partner[i] >= 0 && !allowed[i * n + static_cast<std::size_t>(partner[i])]) partner[i] = -1;
+  return partner;
+}
+
+}  // namespace dot

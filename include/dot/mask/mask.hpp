@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "dot/image/image.hpp"
+#include "dot/image/view.hpp"
+
+namespace dot {
+
+/// A set of pixels of a frame, stored as a crop: 0 or 255, (x, y) the frame's pixel of its top left corner.
+///
+/// The functions below leave the crop tight: no empty border rows or columns, no pixels at all when nothing is set.
+struct Mask {
+  int x = 0;
+  int y = 0;
+  Image<std::uint8_t> pixels;
+  int area = 0;  ///< set pixels
+
+  int width() const { return pixels.width(); }
+  int height() const { return pixels.height(); }
+  bool empty() const { return area == 0; }
+  std::array<int, 4> box() const { return {x, y, width(), height()}; }  ///< x, y, width, height
+
+  /// Whether the frame's pixel (u, v) is set; false outside the crop.
+  bool at(int u, int v) const {
+    return u >= x && v >= y && u < x + width() && v < y + height() && pixels(u - x, v - y) != 0;
+  }
+};
+
+/// Fills `out` with the pixels of `box` (x, y, width, height) for which `set(u, v)` holds, cropped to them.
+/// `set` is called twice for a pixel and must not read `out`.
+template <typename Predicate>
+void fill_mask(const std::array<int, 4>& box, Predicate&& set, Mask& out) {
+  int left = box[0] + box[2], right = box[0] - 1, top = box[1] + box[3], bottom = box[1] - 1;
+  int area = 0;
+  for (int v = box[1]; v < box[1] + box[3]; ++v) {
+    for (int u = box[0]; u < box[0] + box[2]; ++u) {
+      if (!set(u, v)) continue;
+      left = std::min(left, u);
+      right = std::max(right, u);
+      top = std::min(top, v);
+      bottom = v;
+      ++area;
+    }
+  }
+  out.area = area;
+  out.x = area > 0 ? left : 0;
+  out.y = area > 0 ? top : 0;
+  out.pixels.resize(area > 0 ? right - left + 1 : 0, area > 0 ? bottom - top + 1 : 0);
+  for (int v = 0; v < out.height(); ++v) {
+    std::uint8_t* row = out.pixels.row(v);
+    for (int u = 0; u < out.width(); ++u) row[u] = set(out.x + u, out.y + v) ? 255 : 0;
+  }
+}
+
+/// The part of `box` (x, y, width, height) inside a frame; width or height 0 when there is none.
+inline std::array<int, 4> clip_box(const std::array<int, 4>& box, int frame_width, int frame_height) {
+  const auto clip = [](int begin, int length, int size) {
+    const std::int64_t first = std::clamp<std::int64_t>(begin, 0, size);
+    const std::int64_t last = std::clamp<std::int64_t>(std::int64_t{begin} + length, first, size);
+    return std::pair<int, int>(static_cast<int>(first), static_cast<int>(last - first));
+  };
+  const auto [x, width] = clip(box[0], box[2], frame_width);
+  const auto [y, height] = clip(box[1], box[3], frame_height);
+  return {x, y, width, height};
+}
+
+/// The pixels of `box` that carry `id`.
+template <typename T>
+void crop_ids(ImageView<const T> ids, std::uint32_t id, const std::array<int, 4>& box, Mask& out) {
+  fill_mask(clip_box(box, ids.width, ids.height), [&](int u, int v) { return ids(u, v) == id; }, out);
+}
+
+/// The pixels of an image of its own (Grey8 or Id8, non-zero = object) whose top left corner is at (x, y) of the frame,
+/// clipped to the frame.
+/// @throws std::invalid_argument for another format.
+inline Mask mask_of(const ImageRef& image, int x, int y, int frame_width, int frame_height) {
+  Mask out;
+  if (image.empty()) return out;
+  if (image.format != PixelFormat::Grey8 && image.format != PixelFormat::Id8)
+    throw std::invalid_argument("instance.mask.format must be Grey8 or Id8");
+  const ImageView<const std::uint8_t> view{static_cast<const std::uint8_t*>(image.data), image.width, image.height,
+                                           image.stride};
+  const auto box = clip_box({x, y, image.width, image.height}, frame_width, frame_height);
+  fill_mask(box, [&](int u, int v) { return view(u - x, v - y) != 0; }, out);
+  return out;
+}
+
+/// The mask of an instance {mask, x, y} that has an image of its own (pipeline/frame.hpp's Instance, which this room
+/// does not know).
+template <typename AnyInstance>
+Mask mask_of(const AnyInstance& instance, int frame_width, int frame_height) {
+  return mask_of(instance.mask, instance.x, instance.y, frame_width, frame_height);
+}
+
+/// Buffers of split_ids.
+struct SplitWorkspace {
+  struct Run {
+    std::uint32_t id;
+    int y, begin, end;  ///< pixels [begin, end) of row y
+  };
+  std::vector<Run> runs;
+};
+
+namespace id_runs {
+
+template <typename T>
+void collect(const ImageRef& ids, std::vector<SplitWorkspace::Run>& runs) {
+  const ImageView<const T> view{static_cast<const T*>(ids.data), ids.width, ids.height, ids.stride};
+  for (int y = 0; y < view.height; ++y) {
+    const T* row = view.row(y);
+    for (int begin = 0, end = 0; begin < view.width; begin = end) {
+      const T id = row[begin];
+      for (end = begin + 1; end < view.width && row[end] == id;) ++end;
+      if (id != 0) runs.push_back({static_cast<std::uint32_t>(id), y, begin, end});
+    }
+  }
+}
+
+}  // namespace id_runs
+
+/// All instances of an id image with their masks, ids ascending, 0 left out. The image is read once.
+/// @throws std::invalid_argument unless the format is Id8, Id16 or Id32.
+inline void split_ids(const ImageRef& ids, std::vector<std::pair<std::uint32_t, Mask>>& out,
+                      SplitWorkspace& workspace) {
+  auto& runs = workspace.runs;
+  runs.clear();
+  switch (ids.format) {
+    case PixelFormat::Id8: id_runs::collect<std::uint8_t>(ids, runs); break;
+    case PixelFormat::Id16: id_runs::collect<std::uint16_t>(ids, runs); break;
+    case PixelFormat::Id32: id_runs::collect<std::uint32_t>(ids, runs); break;
+    default: throw std::invalid_argument("masks.ids.format must be Id8, Id16 or Id32");
+  }
+  std::sort(runs.begin(), runs.end(), [](const SplitWorkspace::Run& a, const SplitWorkspace::Run& b) {
+    return std::tie(a.id, a.y, a.begin) < std::tie(b.id, b.y, b.begin);
+  });
+
+  std::size_t count = 0;
+  for (auto first = runs.begin(), last = first; first != runs.end(); first = last) {
+    int left = first->begin, right = first->end, area = 0;
+    for (last = first; last != runs.end() && last->id == first->id; ++last) {
+      left = std::min(left, last->begin);
+      right = std::max(right, last->end);
+      area += last->end - last->begin;
+    }
+    if (out.size() <= count) out.emplace_back();
+    auto& [id, mask] = out[count++];
+    id = first->id;
+    mask.x = left;
+    mask.y = first->y;
+    mask.area = area;
+    mask.pixels.resize(right - left, (last - 1)->y - first->y + 1);
+    mask.pixels.fill(0);
+    for (auto run = first; run != last; ++run) {
+      std::uint8_t* row = mask.pixels.row(run->y - mask.y);
+      std::fill(row + (run->begin - left), row + (run->end - left), std::uint8_t{255});
+    }
+  }
+  out.resize(count);
+}
+
+/// Counts and crops again after pixels of the mask were changed.
+inline void tighten(Mask& mask) {
+  const Mask source = std::exchange(mask, Mask{});
+  fill_mask(source.box(), [&](int u, int v) { return source.pixels(u - source.x, v - source.y) != 0; }, mask);
+}
+
+/// Pixels that both masks have.
+inline int overlap(const Mask& a, const Mask& b) {
+  const int left = std::max(a.x, b.x), right = std::min(a.x + a.width(), b.x + b.width());
+  const int top = std::max(a.y, b.y), bottom = std::min(a.y + a.height(), b.y + b.height());
+  if (right <= left) return 0;
+  int count = 0;
+  for (int v = top; v < bottom; ++v) {
+    const std::uint8_t* pa = a.pixels.row(v - a.y) + (left - a.x);
+    const std::uint8_t* pb = b.pixels.row(v - b.y) + (left - b.x);
+    for (int u = 0; u < right - left; ++u) count += (pa[u] & pb[u]) != 0;
+  }
+  return count;
+}
+
+/// Intersection over union; 0 when both are empty.
+inline double iou(const Mask& a, const Mask& b) {
+  const int both = overlap(a, b);
+  return both > 0 ? static_cast<double>(both) / (a.area + b.area - both) : 0;
+}
+
+/// Intersection over the smaller of the two areas; 0 when one is empty.
+inline double containment(const Mask& a, const Mask& b) {
+  const int both = overlap(a, b);
+  return both > 0 ? static_cast<double>(both) / std::min(a.area, b.area) : 0;
+}
+
+}  // namespace dot

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace dot {
+
+/// Association, propagation and labels.
+struct MaskSettings {
+  double min_iou = 0.2;          ///< an instance continues a track from this overlap on ...
+  double min_containment = 0.7;  ///< ... or when this share of the smaller of the two is covered
+  double keep_seconds = 1.0;     ///< a track without mask and motion lives this long
+  double depth_tolerance = 0.3;  ///< relative: predicted mask pixels whose measured depth differs more are trimmed
+  int min_pixels = 30;           ///< smaller masks are not shown
+};
+
+/// What the caller takes the mask for; see pipeline/exclusion.hpp.
+struct ExclusionPolicy {
+  bool exclude_not_observable = true;  ///< objects that never were decided; later they count as last decided
+  bool exclude_static = false;
+  int dilation = 2;                    ///< pixels
+};
+
+}  // namespace dot

@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+
+#include "dot/camera/concept.hpp"
+#include "dot/image/image.hpp"
+#include "dot/image/view.hpp"
+#include "dot/lie/se3.hpp"
+#include "dot/mask/mask.hpp"
+#include "dot/mask/template.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// A template seen from another frame.
+struct WarpedMask {
+  Mask mask;
+  Image<float> inverse_depth;  ///< 1/m, predicted; same crop, 0 outside the mask
+  double expected_area = 0;    ///< pixels it would have in an endless image with nothing in front of it
+  int inside_area = 0;         ///< pixels inside the image, before trimming
+};
+
+/// Buffers of `warp`.
+struct WarpWorkspace {
+  /// The template's pixels in the current frame, with a border of one pixel; q = 0 where there is none.
+  Image<float> u, v;      ///< pixels
+  Image<float> q;         ///< 1/m
+  Image<float> scale;     ///< magnification, q over the template's
+  Image<float> surface;   ///< 1/m, nearest predicted surface in a box of the image, 0 = none
+  Image<float> row;       ///< three rows of scratch
+};
+
+namespace warping {
+
+/// Pixels that one template pixel may cover to each side; bounds the work for an object right before the camera.
+inline constexpr float kMaxReach = 8;
+
+/// A box of image pixels, ends excluded.
+struct Box {
+  int x0, y0, x1, y1;
+};
+
+/// Where the pixels (x + i, y), i < n, of inverse depths q[i] come to lie: pixels (u, v) and the depth there over the
+/// depth here, z. Only where q[i] > 0; what is not in front of the camera (z <= 0) has no meaningful (u, v). The loop is
+/// free of branches so that compilers make SIMD code of it for simple cameras.
+template <typename Camera>
+void map_row(const SE3f& T, const Camera& camera, int x, int y, int n, const float* q, float* u, float* v, float* z) {
+  const Matrix3<float> R = T.R;
+  const Vector3<float> t = T.t;
+  int begin = 0;
+  while (begin < n && !(q[begin] > 0)) ++begin;
+  while (n > begin && !(q[n - 1] > 0)) --n;
+  for (int i = begin; i < n; ++i) {
+    const Vector2<float> pixel(static_cast<float>(x + i), static_cast<float>(y));
+    const Vector3<float> ray = camera.unproject(pixel);
+    const Vector3<float> X(R(0, 0) * ray.x() + R(0, 1) * ray.y() + R(0, 2) * ray.z() + t.x() * q[i],
+                           R(1, 0) * ray.x() + R(1, 1) * ray.y() + R(1, 2) * ray.z() + t.y() * q[i],
+                           R(2, 0) * ray.x() + R(2, 1) * ray.y() + R(2, 2) * ray.z() + t.z() * q[i]);
+    const Vector2<float> p = camera.project(X);
+    u[i] = p.x();
+    v[i] = p.y();
+    z[i] = X.z();
+  }
+}
+
+/// Projects the template's pixels into `w`. Returns the part of the image that they may cover, and in `outside` the
+/// area of those whose centre is out of the image.
+template <typename Camera>
+Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camera, WarpWorkspace& w, double& outside) {
+  const int width = source.mask.width(), height = source.mask.height();
+  const auto right = static_cast<float>(camera.width() - 1), bottom = static_cast<float>(camera.height() - 1);
+  float u0 = right + kMaxReach, u1 = -kMaxReach, v0 = bottom + kMaxReach, v1 = -kMaxReach, max_scale = 0;
+  for (Image<float>* image : {&w.u, &w.v, &w.q, &w.scale}) image->resize(width + 2, height + 2);
+  w.q.fill(0);
+  w.row.resize(std::max(width, camera.width()), 3);
+  outside = 0;
+  for (int y = 0; y < height; ++y) {
+    const float* inverse_depth = source.inverse_depth.row(y);
+    float *u = w.u.row(y + 1) + 1, *v = w.v.row(y + 1) + 1;
+    float *q = w.q.row(y + 1) + 1, *scale = w.scale.row(y + 1) + 1, *z = w.row.row(0);
+    map_row(T, camera, source.mask.x, source.mask.y + y, width, inverse_depth, u, v, z);
+    for (int x = 0; x < width; ++x) {
+      // Nearer than a thousandth of its former depth is as good as behind the camera.
+      if (!(inverse_depth[x] > 0) || !(z[x] > 1e-3f) || !std::isfinite(u[x]) || !std::isfinite(v[x])) continue;
+      scale[x] = 1 / z[x];
+      if (u[x] < -0.5f || v[x] < -0.5f || u[x] > right + 0.5f || v[x] > bottom + 0.5f) {
+        outside += static_cast<double>(scale[x]) * scale[x];
+        if (u[x] < -kMaxReach || v[x] < -kMaxReach || u[x] > right + kMaxReach || v[x] > bottom + kMaxReach) continue;
+      }
+      q[x] = inverse_depth[x] * scale[x];
+      u0 = std::min(u0, u[x]);
+      u1 = std::max(u1, u[x]);
+      v0 = std::min(v0, v[x]);
+      v1 = std::max(v1, v[x]);
+      max_scale = std::max(max_scale, scale[x]);
+    }
+  }
+  const float reach = std::min(3 * max_scale + 1, kMaxReach);
+  const auto begin = [&](float p) { return std::max(static_cast<int>(std::floor(p - reach)), 0); };
+  const auto end = [&](float p, int size) { return std::min(static_cast<int>(std::ceil(p + reach)) + 1, size); };
+  return {begin(u0), begin(v0), end(u1, camera.width()), end(v1, camera.height())};
+}
+
+/// Draws the moved pixels, each as the bounding box of the cell that reaches half way to its neighbours, so that there
+/// is no crack; the nearest surface wins. A neighbour more than three magnifications away is on another surface.
+inline void draw_surface(WarpWorkspace& w, const Box& box) {
+  constexpr float margin = 0.02f;  // against rounding, where cells only touch
+  constexpr int offset = 2 * static_cast<int>(kMaxReach) + 1;  // makes coordinates positive, so that casts round down
+  w.surface.resize(box.x1 - box.x0, box.y1 - box.y0);
+  w.surface.fill(0);
+  const int width = w.q.width();
+  for (int y = 1; y + 1 < w.q.height(); ++y) {
+    const float *u = w.u.row(y), *v = w.v.row(y), *q = w.q.row(y), *scale = w.scale.row(y);
+    float *reach_u = w.row.row(0), *reach_v = w.row.row(1);
+    for (int x = 1; x + 1 < width; ++x) {
+      float reach[2] = {margin, margin};
+      const float limit = 3 * scale[x];
+      for (const int step : {1, width}) {
+        const bool before = q[x - step] > 0, after = q[x + step] > 0;
+        const float du = std::max(before ? std::abs(u[x - step] - u[x]) : 0, after ? std::abs(u[x + step] - u[x]) : 0);
+        const float dv = std::max(before ? std::abs(v[x - step] - v[x]) : 0, after ? std::abs(v[x + step] - v[x]) : 0);
+        const float lone = before || after ? 0 : scale[x];
+        reach[0] += std::min(step == 1 ? std::max(du, lone) : du, limit) / 2;
+        reach[1] += std::min(step == 1 ? dv : std::max(dv, lone), limit) / 2;
+      }
+      reach_u[x - 1] = std::min(reach[0], kMaxReach);
+      reach_v[x - 1] = std::min(reach[1], kMaxReach);
+    }
+    for (int x = 1; x + 1 < width; ++x) {
+      if (!(q[x] > 0)) continue;
+      const float du = reach_u[x - 1], dv = reach_v[x - 1];
+      const int x0 = std::max(static_cast<int>(u[x] - du + offset) - offset + 1, box.x0) - box.x0;
+      const int x1 = std::min(static_cast<int>(u[x] + du + offset) - offset + 1, box.x1) - box.x0;
+      const int y0 = std::max(static_cast<int>(v[x] - dv + offset) - offset + 1, box.y0) - box.y0;
+      const int y1 = std::min(static_cast<int>(v[x] + dv + offset) - offset + 1, box.y1) - box.y0;
+      for (int j = y0; j < y1; ++j) {
+        float* line = w.surface.row(j);
+        for (int i = x0; i < x1; ++i) line[i] = std::max(line[i], q[x]);
+      }
+    }
+  }
+}
+
+/// Whether the mask, interpolated bilinearly at (u, v) of its crop, is at least one half.
+inline bool covers(const Image<std::uint8_t>& mask, float u, float v) {
+  if (!(u > -1 && v > -1 && u < static_cast<float>(mask.width()) && v < static_cast<float>(mask.height())))
+    return false;
+  const int x = static_cast<int>(u + 1) - 1, y = static_cast<int>(v + 1) - 1;
+  const auto at = [&mask](int i, int j) { return mask.contains(i, j) ? static_cast<float>(mask(i, j)) : 0.0f; };
+  const float a = u - static_cast<float>(x), b = v - static_cast<float>(y);
+  const float top = at(x, y) + a * (at(x + 1, y) - at(x, y));
+  const float bottom = at(x, y + 1) + a * (at(x + 1, y + 1) - at(x, y + 1));
+  return top + b * (bottom - top) >= 127.5f;
+}
+
+}  // namespace warping
+
+/// Carries a template into the current frame, given the motion of its points.
+///
+/// The surface is drawn forwards, X = R ray + q t, q' = q / X.z, at the projection of X; nearest first. Each pixel
+/// drawn is then taken back by the inverse motion, with its q', and belongs to the object where the template's mask
+/// covers the place it came from: no cracks, and the outline as sharp as the template's. Last, pixels whose measured
+/// inverse depth differs from q' by more than `tolerance` q' are trimmed: something nearer hides the object there, or
+/// one looks past it. Pixels without measurement stay.
+///
+/// Template points behind the camera are left out; the mask is empty when nothing is left.
+/// @param T_cur_template motion of the object's points from the template's camera to this one, T_c T_o composed.
+/// @param inverse_depth_cur 1/m, of the camera's size, <= 0 or not finite = no measurement; empty: nothing is trimmed.
+/// @throws std::invalid_argument when `inverse_depth_cur` has another size.
+template <typename Camera>
+void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& camera,
+          ImageView<const float> inverse_depth_cur, double tolerance, WarpWorkspace& workspace, WarpedMask& out) {
+  static_assert(is_camera_v<Camera>, DOT_CAMERA_MESSAGE);
+  const bool trim = !inverse_depth_cur.empty();
+  if (trim && (inverse_depth_cur.width != camera.width() || inverse_depth_cur.height != camera.height()))
+    throw std::invalid_argument("inverse_depth_cur must have the camera's size");
+
+  double outside = 0;
+  const SE3f T = T_cur_template.template cast<float>();
+  const warping::Box box = warping::move_template(source, T, camera, workspace, outside);
+  int area = 0, inside = 0;
+  int left = box.x1, right = box.x0 - 1, top = box.y1, bottom = box.y0 - 1;
+  Image<float>& surface = workspace.surface;
+  if (box.x0 < box.x1 && box.y0 < box.y1) {
+    warping::draw_surface(workspace, box);
+    const SE3f T_template_cur = T.inverse();
+    const Mask& mask = source.mask;
+    const auto mask_x = static_cast<float>(mask.x), mask_y = static_cast<float>(mask.y);
+    const auto limit = static_cast<float>(tolerance);
+    float *pu = workspace.row.row(0), *pv = workspace.row.row(1), *pz = workspace.row.row(2);
+    for (int v = box.y0; v < box.y1; ++v) {
+      float* line = surface.row(v - box.y0);
+      const float* measured = trim ? inverse_depth_cur.row(v) + box.x0 : nullptr;
+      warping::map_row(T_template_cur, camera, box.x0, v, surface.width(), line, pu, pv, pz);
+      for (int i = 0; i < surface.width(); ++i) {
+        const float q = std::exchange(line[i], 0.0f);
+        if (!(q > 0) || !(pz[i] > 0) || !warping::covers(mask.pixels, pu[i] - mask_x, pv[i] - mask_y)) continue;
+        ++inside;
+        if (trim && measured[i] > 0 && std::isfinite(measured[i]) && std::abs(measured[i] - q) > limit * q) continue;
+        line[i] = q;
+        ++area;
+        left = std::min(left, box.x0 + i);
+        right = std::max(right, box.x0 + i);
+        top = std::min(top, v);
+        bottom = v;
+      }
+    }
+  }
+
+  out.inside_area = inside;
+  out.expected_area = inside + outside;
+  out.mask.area = area;
+  out.mask.x = area > 0 ? left : 0;
+  out.mask.y = area > 0 ? top : 0;
+  const int width = area > 0 ? right - left + 1 : 0, height = area > 0 ? bottom - top + 1 : 0;
+  out.mask.pixels.resize(width, height);
+  out.inverse_depth.resize(width, height);
+  for (int v = 0; v < height; ++v) {
+    const float* from = surface.row(v + top - box.y0) + (left - box.x0);
+    std::copy_n(from, width, out.inverse_depth.row(v));
+    std::transform(from, from + width, out.mask.pixels.row(v), [](float q) { return std::uint8_t(q > 0 ? 255 : 0); });
+  }
+}
+
+DOT_END_NAMESPACE

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "dot/motion/estimate.hpp"
+#include "dot/motion/settings.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Belief that an object moves, over time: the log odds of *moves* against *stands*, and a Kalman filter of the velocity
+/// that the object has if it moves.
+///
+///     stands: v ~ N(0, V + (0.35 v0)^2)
+///     moves:  v ~ N(m, P + V), the filter's prediction, mixed with a fresh broad prior N(0, S + V), S = prior_speed^2
+///
+/// Both carry a small share of a broad outlier class. What the broad prior credits to speeds inside |v| <= v0 is taken
+/// away again: such an object does not move. A Bayes factor of proper densities does not drift to *moves* where the
+/// velocity is poorly measured, which a ratio of maximum likelihoods does.
+struct Belief {
+  double log_odds = 0;
+  Vector3<double> velocity = Vector3<double>::Zero();    ///< if it moves; m/s, axes of the newest camera
+  Matrix3<double> covariance = Matrix3<double>::Zero();  ///< zero: no filter yet
+
+  double p_moving() const { return 1 / (1 + std::exp(-log_odds)); }
+  bool has_velocity() const { return covariance(0, 0) > 0; }
+
+  /// Lets time pass: things start and stop, velocities change, and the camera turned by R_cur_prev.
+  void predict(double dt, const Matrix3<double>& R_cur_prev, const VelocitySettings& s) {
+    const double p = p_moving(), change = std::min(0.5, s.switch_rate * dt);
+    const double q = p * (1 - change) + (1 - p) * change;
+    log_odds = std::log(q / (1 - q));
+    if (!has_velocity()) return;
+    covariance += Matrix3<double>::Identity() * (s.acceleration * dt) * (s.acceleration * dt);
+    velocity = R_cur_prev * velocity;
+    covariance = R_cur_prev * covariance * R_cur_prev.transpose();
+  }
+
+  /// Weighs a velocity in the axes of the belief. @param v0 m/s, of the object's range.
+  void update(const MotionEstimate& e, double v0, const VelocitySettings& s) {
+    const Vector3<double>& v = e.velocity;
+    const Matrix3<double>& V = e.covariance;
+    const Matrix3<double> I = Matrix3<double>::Identity();
+    const double speed2 = prior_variance(v0, s);
+    const double outlier = s.outliers * density(v, V + 4 * speed2 * I);
+
+    const double stands = (1 - s.outliers) * density(v, V + sq(0.35 * v0) * I) + outlier;
+    const double fresh = beyond(v, V, Vector3<double>::Zero(), speed2 * I, v0);
+    const double moves_fresh = density(v, V + speed2 * I) * fresh;
+    double moves = moves_fresh;
+    if (has_velocity())
+      moves = 0.9 * density(v, V + covariance) * beyond(v, V, velocity, covariance, v0) + 0.1 * moves_fresh;
+    moves = (1 - s.outliers) * moves + outlier;
+
+    const double cap = s.max_evidence_rate * e.interval / e.intervals;
+    const double evidence = (std::log(moves + 1e-300) - std::log(stands + 1e-300)) / std::sqrt(e.intervals);
+    log_odds = std::clamp(log_odds + std::clamp(evidence, -cap, cap), -s.max_log_odds, s.max_log_odds);
+
+    // The filter: restarted where the fit contradicts it.
+    if (has_velocity() && (v - velocity).dot((V + covariance).ldlt().solve(v - velocity)) > 25) covariance.setZero();
+    if (!has_velocity()) velocity.setZero(), covariance = speed2 * I;
+    const Matrix3<double> K = covariance * (covariance + V).inverse();
+    velocity += K * (v - velocity);
+    covariance = (I - K) * covariance;
+    covariance = 0.5 * (covariance + covariance.transpose()).eval();
+  }
+
+ private:
+  static double sq(double x) { return x * x; }
+
+  /// Movers near the camera are slow things on tables, far ones are vehicles: the prior grows with v0.
+  static double prior_variance(double v0, const VelocitySettings& s) { return sq(s.prior_speed * v0 / s.v0); }
+
+  static double density(const Vector3<double>& x, const Matrix3<double>& S) {
+    const Eigen::LDLT<Matrix3<double>> ldlt(S);
+    const double log_det = ldlt.vectorD().array().max(1e-300).log().sum();
+    return std::exp(-0.5 * (x.dot(ldlt.solve(x)) + log_det + 3 * std::log(2 * 3.14159265358979323846)));
+  }
+
+  /// P(|velocity| > v0 | measured) / P(|velocity| > v0) for the prior N(m, S); the ball is taken as the cube of the same
+  /// volume along the axes of each covariance.
+  static double beyond(const Vector3<double>& v, const Matrix3<double>& V, const Vector3<double>& m,
+                       const Matrix3<double>& S, double v0) {
+    const Matrix3<double> K = S * (S + V).inverse();
+    const double prior = 1 - inside(m, S, v0);
+    const double posterior = 1 - inside(m + K * (v - m), S - K * S, v0);
+    return std::max(posterior, 1e-12) / std::max(prior, 1e-3);
+  }
+
+  static double inside(const Vector3<double>& mean, const Matrix3<double>& S, double v0) {
+    const Eigen::SelfAdjointEigenSolver<Matrix3<double>> eigen(S);
+    const Vector3<double> c = eigen.eigenvectors().transpose() * mean;
+    const double half = 0.806 * v0;
+    double p = 1;
+    for (int i = 0; i < 3; ++i) {
+      const double sigma = std::sqrt(std::max(eigen.eigenvalues()[i], 1e-12)) * 1.41421356237309505;
+      p *= 0.5 * (std::erf((half - c[i]) / sigma) - std::erf((-half - c[i]) / sigma));
+    }
+    return p;
+  }
+};
+
+DOT_END_NAMESPACE

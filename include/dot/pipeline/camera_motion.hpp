@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+
+#include "dot/align/aligner.hpp"
+#include "dot/align/settings.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Camera motion T_c (paper, section 3.B) that traffic does not capture.
+///
+/// The contours of cast shadows lie on the road, outside every mask, with correct depth, and move with their cars; near
+/// asphalt has little else. Under Huber's cost the motion that follows them can be the lower minimum. So several
+/// starts are refined, each a candidate, and the one of least *redescending* cost is taken, all judged with the same
+/// residual scale: coarse to fine from constant velocity; constant velocity and standing still, fine levels only; and
+/// shifts of those along the direction that the points determine least.
+struct CameraMotionEstimator {
+  CameraSettings settings;
+
+  /// @param predicted T_c at constant velocity. @return the alignment; `covariance` is that of the left twist of T_c.
+  template <typename Camera, typename Aligner>
+  Alignment estimate(const PointSet& points, const Pyramid& image, const Camera& camera, const SE3d& predicted,
+                     Aligner& aligner) const {
+    const AlignProblem<Camera> problem{points, image, camera};
+    const int top = std::min(points.levels, image.size()) - 1, fine = std::min(1, top);
+    std::vector<Alignment> candidates;
+    candidates.push_back(aligner.align(problem, {predicted}, top));
+    AlignState state = candidates.front().state;
+    candidates.push_back(aligner.align(problem, {predicted, state.gain, state.offset}, fine));
+    if (predicted.log().norm() > 1e-3) candidates.push_back(aligner.align(problem, {SE3d{}, state.gain, state.offset}, top));
+
+    const std::size_t unshifted = candidates.size();
+    double sigma = std::numeric_limits<double>::infinity();
+    for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, fine));
+    for (std::size_t i = 0; i < std::min<std::size_t>(unshifted, 2); ++i)
+      for (const AlignState& start : shifted(problem, candidates[i], fine, sigma, aligner))
+        candidates.push_back(aligner.align(problem, start, fine));
+    return best(problem, candidates, aligner);
+  }
+
+ private:
+  /// The two best of the starts along the least determined direction; rotation, gain and offset follow the shift as the
+  /// covariance says.
+  template <typename Camera, typename Aligner>
+  std::vector<AlignState> shifted(const AlignProblem<Camera>& problem, const Alignment& a, int level, double sigma,
+                                  Aligner& aligner) const {
+    const Matrix3<double> C = a.covariance.topLeftCorner<3, 3>();
+    const Eigen::SelfAdjointEigenSolver<Matrix3<double>> eigen(C);
+    const Vector3<double> direction = eigen.eigenvectors().col(2);
+    const Vector8 follow = a.covariance.leftCols<3>() * C.ldlt().solve(direction);
+    if (!follow.allFinite()) return {};
+    std::vector<std::pair<double, AlignState>> starts;
+    const double reach = std::min(settings.restart_shift, 0.1 * median_depth(problem.points));
+    for (const double s : {-1.0, -0.5, -0.25, 0.25, 0.5, 1.0}) {
+      const Vector8 x = s * reach * follow;
+      const AlignState start{SE3d::exp(x.head<6>()) * a.state.T, a.state.gain + x[6], a.state.offset + x[7]};
+      starts.push_back({aligner.rank(problem, start, level, sigma), start});
+    }
+    std::partial_sort(starts.begin(), starts.begin() + 2, starts.end(),
+                      [](const auto& l, const auto& r) { return l.first < r.first; });
+    return {starts[0].second, starts[1].second};
+  }
+
+  static double median_depth(const PointSet& points) {
+    std::vector<float> q = points.q;
+    const auto middle = q.begin() + static_cast<std::ptrdiff_t>(q.size() / 2);
+    std::nth_element(q.begin(), middle, q.end());
+    return 1 / static_cast<double>(*middle);
+  }
+
+  /// A later candidate must win by a margin: equal minima should not alternate.
+  template <typename Camera, typename Aligner>
+  Alignment best(const AlignProblem<Camera>& problem, std::vector<Alignment>& candidates, Aligner& aligner) const {
+    double sigma = std::numeric_limits<double>::infinity();
+    for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t chosen = 0;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const double cost = aligner.rank(problem, candidates[i].state, 0, sigma);
+      if (cost < least * (1 - settings.restart_margin) || (i == 0 && cost <= least)) least = cost, chosen = i;
+    }
+    aligner.finish(problem, candidates[chosen]);
+    return candidates[chosen];
+  }
+};
+
+DOT_END_NAMESPACE

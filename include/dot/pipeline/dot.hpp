@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <utility>
+#include <vector>
+
+#include "dot/camera/depth_noise.hpp"
+#include "dot/camera/pinhole.hpp"
+#include "dot/image/convert.hpp"
+#include "dot/mask/association.hpp"
+#include "dot/motion/classifier.hpp"
+#include "dot/pipeline/camera_motion.hpp"
+#include "dot/pipeline/options.hpp"
+#include "dot/pipeline/track.hpp"
+#include "dot/pipeline/validate.hpp"
+#include "dot/points/select_object.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// The pipeline: labels each object of each frame static, moving or not observable.
+///
+///     dot::Dot<> dot(dot::Pinhole(intrinsics), options);
+///     const dot::Result& result = dot.track(frame);
+///
+/// Each policy is a plain struct and a public member; set it before the first frame.
+/// @tparam Camera      camera/concept.hpp
+/// @tparam Classifier  motion/classifier.hpp
+/// @tparam Noise       camera/depth_noise.hpp
+/// @tparam Aligner     align/aligner.hpp
+template <typename Camera = Pinhole, typename Classifier = VelocityClassifier, typename Noise = DepthNoise,
+          typename Aligner = DirectAligner<>>
+class Dot {
+  static_assert(is_camera_v<Camera>, "Camera must satisfy the concept in dot/camera/concept.hpp");
+  static_assert(is_classifier_v<Classifier>, "Classifier must satisfy the concept in dot/motion/classifier.hpp");
+
+ public:
+  Classifier classifier;
+  Noise depth_noise;
+  Aligner aligner;
+  CameraMotionEstimator camera_estimator;
+  ObjectMotionEstimator object_estimator;
+
+  /// @throws std::invalid_argument naming the option that is out of range.
+  explicit Dot(const Camera& camera, const Options& options = {});
+
+  /// Labels the objects of one frame. The result is valid until the next call.
+  /// @throws std::invalid_argument naming the bad field of `frame`; nothing has changed then.
+  const Result& track(const Frame& frame);
+
+  /// Forgets all frames and objects; keeps buffers and never reuses an id.
+  void reset();
+
+  const Options& options() const { return options_; }
+
+ private:
+  using TrackT = Track<typename Classifier::Memory>;
+
+  struct Current {
+    Image<std::uint8_t> grey;
+    Pyramid pyramid;
+    Image<float> inverse_depth;
+    int valid_depth = 0;
+    double timestamp = 0;
+    double dt = 0;  ///< seconds since the reference, 0 when there is none
+  };
+  struct CameraState {
+    CameraStatus status = CameraStatus::FirstFrame;
+    SE3d T_cur_prev;
+    Matrix6<double> covariance = Matrix6<double>::Zero();
+    Alignment alignment;
+    Vector6<double> rate = Vector6<double>::Zero();  ///< twist per second, for the prediction
+    bool known() const { return status == CameraStatus::Tracked || status == CameraStatus::FromHost; }
+  };
+  struct Observed {
+    std::uint32_t instance_id = 0;
+    Mask mask;
+    std::int32_t class_id = -1;
+    float score = 0;
+    bool always_dynamic = false;
+    const TrackT* track = nullptr;
+  };
+
+  void build(const Frame& frame);
+  void camera_motion(const Frame& frame);
+  void predict_tracks();
+  void read_masks(const Frame& frame);
+  void associate();
+  void follow(TrackT& object);
+  std::vector<SE3d> starts(const TrackT& object, const ObjectReference& reference);
+  Vector3<double> anchor(const Mask& mask) const;
+  void advance(TrackT& object);
+  void match(const std::vector<TrackT*>& tracks);
+  void follow_and_decide();
+  void start_tracks();
+  void decide(TrackT& object);
+  void place_masks();
+  void label();
+  void make_references();
+  void write_result(const Frame& frame);
+  void take_time(Stage stage);
+
+  Camera camera_;
+  Options options_;
+  std::uint32_t next_id_ = 1;  ///< tracks_ is in the order of ids
+  bool has_previous_ = false;
+
+  Current current_;
+  CameraState camera_state_;
+  PointSet background_;  ///< of the previous frame
+  std::deque<TrackT> tracks_;
+  std::vector<Observed> observed_;
+  bool segmented_ = false;
+  Image<std::uint8_t> nearer_;  ///< where objects nearer than the one being followed were found
+
+  Image<std::uint8_t> labels_;
+  Image<std::uint32_t> ids_;
+  std::vector<ObjectResult> objects_;
+  Result result_;
+
+  TemplateWorkspace template_workspace_;
+  WarpWorkspace warp_workspace_;
+  SplitWorkspace split_workspace_;
+  std::vector<std::pair<std::uint32_t, Mask>> split_;
+  Image<std::uint8_t> blocked_;
+  std::chrono::steady_clock::time_point clock_;
+};
+
+DOT_END_NAMESPACE
+
+#include "dot/pipeline/impl/dot.hpp"
+#include "dot/pipeline/impl/dot_masks.hpp"
+#include "dot/pipeline/impl/dot_objects.hpp"

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+#include "dot/image/view.hpp"
+#include "dot/mask/settings.hpp"
+#include "dot/pipeline/result.hpp"
+
+namespace dot {
+
+namespace exclusion {
+
+/// Sets all pixels at most `radius` columns and rows from one that is 255; the others must be 0.
+inline void dilate(ImageView<std::uint8_t> mask, int radius) {
+  constexpr std::uint8_t set = 255, spread = 1;  // told apart until the direction is done
+  const auto visit = [&](std::uint8_t& pixel, int& reach) {
+    if (pixel == set) {
+      reach = radius;
+    } else if (reach > 0) {
+      --reach;
+      pixel = spread;
+    }
+  };
+  const auto finish = [&] {
+    for (int y = 0; y < mask.height; ++y)
+      std::transform(mask.row(y), mask.row(y) + mask.width, mask.row(y),
+                     [](std::uint8_t value) { return value != 0 ? set : value; });
+  };
+  for (int y = 0; y < mask.height; ++y) {
+    std::uint8_t* row = mask.row(y);
+    int reach = 0;
+    for (int x = 0; x < mask.width; ++x) visit(row[x], reach);
+    reach = 0;
+    for (int x = mask.width - 1; x >= 0; --x) visit(row[x], reach);
+  }
+  finish();
+  std::vector<int> reach(static_cast<std::size_t>(mask.width), 0);
+  const auto sweep = [&](int y) {
+    std::uint8_t* row = mask.row(y);
+    for (std::size_t x = 0; x < reach.size(); ++x) visit(row[x], reach[x]);
+  };
+  for (int y = 0; y < mask.height; ++y) sweep(y);
+  std::fill(reach.begin(), reach.end(), 0);
+  for (int y = mask.height - 1; y >= 0; --y) sweep(y);
+  finish();
+}
+
+}  // namespace exclusion
+
+/// Writes the mask that a feature extractor needs: 255 = do not use this pixel, 0 = use it (the opposite of OpenCV's
+/// feature-detector masks).
+///
+/// Excluded are moving objects and, by policy, those that were never decided; an object that is not observable now
+/// counts as it was last decided. The excluded area is widened by `policy.dilation` pixels (square).
+/// @param out of the size of `result.labels`.
+/// @throws std::invalid_argument when `out` has another size or the dilation is negative; `out` is then as it was.
+inline void exclusion_mask(const Result& result, const ExclusionPolicy& policy, ImageView<std::uint8_t> out) {
+  const ImageView<const std::uint8_t>& labels = result.labels;
+  if (out.width != labels.width || out.height != labels.height || (out.data == nullptr && !labels.empty()))
+    throw std::invalid_argument("out must have the size of result.labels");
+  if (policy.dilation < 0) throw std::invalid_argument("policy.dilation must be >= 0");
+
+  const auto excluded = [&policy](State state) {
+    switch (state) {
+      case State::Moving: return true;
+      case State::Static: return policy.exclude_static;
+      case State::NotObservable: return policy.exclude_not_observable;
+      case State::Background: break;
+    }
+    return false;
+  };
+  // Neighbouring pixels mostly are of one object: look it up when the id changes.
+  std::uint32_t id = 0;
+  bool undecided_excluded = excluded(State::NotObservable);
+  for (int y = 0; y < out.height; ++y) {
+    const std::uint8_t* label = labels.row(y);
+    const std::uint32_t* ids = result.ids.empty() ? nullptr : result.ids.row(y);
+    std::uint8_t* row = out.row(y);
+    for (int x = 0; x < out.width; ++x) {
+      const auto state = static_cast<State>(label[x]);
+      bool exclude = excluded(state);
+      if (state == State::NotObservable && ids != nullptr) {
+        if (ids[x] != id) {
+          id = ids[x];
+          const ObjectResult* object = result.find(id);
+          undecided_excluded = excluded(object != nullptr ? object->last_decided : state);
+        }
+        exclude = undecided_excluded;
+      }
+      row[x] = exclude ? 255 : 0;
+    }
+  }
+  if (policy.dilation > 0) exclusion::dilate(out, policy.dilation);
+}
+
+}  // namespace dot

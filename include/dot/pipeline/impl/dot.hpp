@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "dot/pipeline/dot.hpp"
+
+/// @file
+/// `track` and what concerns the whole frame: camera, references, result.
+
+DOT_BEGIN_NAMESPACE
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+Dot<Camera, Classifier, Noise, Aligner>::Dot(const Camera& camera, const Options& options)
+    : camera_(camera), options_(options) {
+  validate(options);
+  if constexpr (std::is_constructible_v<Noise, DepthNoiseSettings, Intrinsics>)
+    depth_noise = Noise(options.depth_noise, camera.intrinsics());
+  aligner.settings = options.align;
+  camera_estimator.settings = options.camera;
+  object_estimator = {options.object, options.motion_prior, options.velocity};
+  if constexpr (std::is_same_v<Classifier, EntropyClassifier>) {
+    classifier.settings = options.entropy;
+    classifier.literal = options.classifier == ClassifierKind::EntropyLiteral;
+  } else if constexpr (std::is_same_v<Classifier, VelocityClassifier> ||
+                       std::is_same_v<Classifier, SingleFrameClassifier>) {
+    classifier.settings = options.velocity;
+  }
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::reset() {
+  has_previous_ = false;
+  camera_state_ = {};
+  background_.clear();
+  tracks_.clear();
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame) {
+  validate(frame, camera_.width(), camera_.height(), has_previous_, current_.timestamp);
+  clock_ = std::chrono::steady_clock::now();
+
+  build(frame);          // pyramid, inverse depth
+  take_time(Stage::Image);
+  camera_motion(frame);  // T_c from the background of the previous frame, or the host's
+  take_time(Stage::Camera);
+  predict_tracks();      // masks warped into this frame
+  read_masks(frame);
+  associate();           // network masks to tracks; nothing to do without
+  take_time(Stage::Masks);
+  follow_and_decide();   // Algorithm 1: T_o of each object, nearest first, and its state
+  take_time(Stage::Objects);
+  place_masks();         // warped by T_c T_o; new objects
+  label();
+  take_time(Stage::Label);
+  make_references();     // points of this frame for the next ones
+  take_time(Stage::Points);
+  write_result(frame);
+  has_previous_ = true;
+  return result_;
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::take_time(Stage stage) {
+  const auto now = std::chrono::steady_clock::now();
+  result_.stage_ms[static_cast<std::size_t>(stage)] = std::chrono::duration<double, std::milli>(now - clock_).count();
+  clock_ = now;
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::build(const Frame& frame) {
+  const double interval = frame.timestamp - current_.timestamp;
+  current_.dt = has_previous_ ? interval : 0;
+  if (current_.dt > options_.max_gap) {  // too long ago to align to: keep the ids, drop what was seen
+    current_.dt = 0;
+    background_.clear();
+    for (TrackT& t : tracks_) t.references.clear(), t.has_motion = false;
+  }
+  current_.timestamp = frame.timestamp;
+  to_grey(frame.image, current_.grey);
+  current_.pyramid.build(current_.grey.view(),
+                         pyramid_levels(frame.image.width, frame.image.height,
+                                        std::min(options_.align.max_levels, PointSet::kMaxLevels)));
+  current_.valid_depth = to_inverse_depth(frame.depth, options_.selection.max_depth, current_.inverse_depth);
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) {
+  CameraState& c = camera_state_;
+  c.alignment = {};
+  c.covariance.setZero();
+  c.T_cur_prev = SE3d::exp(c.rate * current_.dt);
+  if (current_.dt <= 0) {
+    c.status = CameraStatus::FirstFrame;
+    c.T_cur_prev = {};
+    return;
+  }
+  if (frame.camera_motion) {
+    c.status = CameraStatus::FromHost;
+    c.T_cur_prev = SE3d::from_row_major(frame.camera_motion->T_cur_prev).normalized();
+    c.covariance = Eigen::Map<const Matrix6<double>, Eigen::Unaligned>(frame.camera_motion->covariance.data());
+  } else if (background_.size() < options_.camera.min_points) {
+    c.status = CameraStatus::TooLittleDepth;
+  } else {
+    c.alignment = camera_estimator.estimate(background_, current_.pyramid, camera_, c.T_cur_prev, aligner);
+    const Alignment& a = c.alignment;
+    const bool ok = a.covariance.allFinite() && a.state.T.t.allFinite() && a.phi >= options_.camera.min_phi &&
+                    a.seen >= options_.camera.min_points && a.inliers >= options_.camera.min_inliers * a.seen;
+    c.status = ok ? CameraStatus::Tracked : CameraStatus::Lost;
+    if (ok) {
+      c.T_cur_prev = a.state.T;
+      c.covariance = a.covariance.template topLeftCorner<6, 6>();
+    }
+  }
+  if (c.known()) c.rate = c.T_cur_prev.log() / current_.dt;
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
+  const Selector<Camera, Noise> select{camera_, depth_noise, current_.pyramid, current_.inverse_depth.view(),
+                                       options_.selection};
+  // Background: what no object covers, with a margin for ragged outlines.
+  blocked_.resize(ids_.width(), ids_.height());
+  for (int y = 0; y < ids_.height(); ++y) {
+    const std::uint32_t* id = ids_.row(y);
+    std::uint8_t* out = blocked_.row(y);
+    for (int x = 0; x < ids_.width(); ++x) out[x] = id[x] ? 255 : 0;
+  }
+  cv::Mat blocked = mat(blocked_.view());
+  cv::dilate(blocked, blocked, cv::Mat::ones(9, 9, CV_8U));
+  const auto free = [&](int x, int y) { return blocked_(x, y) == 0; };
+  background_.clear();
+  select({0, 0, camera_.width(), camera_.height()}, options_.selection.background_points, options_.selection.window_radius,
+         free, [](int, int) { return true; }, nullptr, 0, 0, background_);
+  select.sample_intensities(background_);
+
+  for (TrackT& object : tracks_) {
+    while (!object.references.empty() &&
+           current_.timestamp - object.references.back().timestamp > options_.object.reference_seconds + 1e-6)
+      object.references.pop_back();
+    if (!object.visible || object.mask.area < options_.selection.min_object_pixels) continue;
+    ObjectReference r;
+    const ObjectPoints found =
+        select_object(select, {object.mask.x, object.mask.y, object.mask.width(), object.mask.height()},
+                      object.mask.pixels.view(), object.mask.area, r.points);
+    if (r.points.size() == 0) continue;
+    double x = 0, y = 0, q = 0;
+    for (std::size_t i = 0; i < r.points.u.size(); ++i) x += r.points.x[i], y += r.points.y[i], q += r.points.q[i];
+    const double n = r.points.size();
+    r.centroid = Vector3<double>(x / n, y / n, 1) / (q / n);
+    r.anchor = anchor(object.mask);
+    r.area = found.pixels_with_depth;
+    r.timestamp = current_.timestamp;
+    object.references.push_front(std::move(r));
+  }
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame) {
+  const auto copy = [](const auto& m, auto& out) {
+    for (Eigen::Index r = 0; r < m.rows(); ++r)
+      for (Eigen::Index c = 0; c < m.cols(); ++c) out[static_cast<std::size_t>(r * m.cols() + c)] = m(r, c);
+  };
+  result_.frame_id = frame.id;
+  result_.timestamp = frame.timestamp;
+  result_.interval = current_.dt;
+  const CameraState& c = camera_state_;
+  CameraResult& camera = result_.camera;
+  camera = {};
+  camera.status = c.status;
+  camera.T_cur_prev = c.T_cur_prev.row_major();
+  copy(c.covariance, camera.covariance);
+  camera.phi = c.alignment.phi;
+  camera.gain = c.alignment.state.gain;
+  camera.offset = c.alignment.state.offset;
+  camera.residual_sigma = c.alignment.sigma_intensity;
+  camera.normalised_variance = c.alignment.normalised_variance;
+  camera.n_points = c.alignment.seen;
+  camera.n_inliers = c.alignment.inliers;
+
+  objects_.clear();
+  for (const TrackT& t : tracks_) {
+    ObjectResult o;
+    o.id = t.id;
+    o.state = t.state;
+    o.last_decided = t.last_decided;
+    o.reason = t.fit.reason;
+    o.always_dynamic = t.always_dynamic;
+    o.segmented = t.segmented;
+    o.instance_id = o.segmented ? t.instance_id : 0;
+    o.class_id = t.class_id;
+    o.score = t.score;
+    o.p_moving = t.p_moving;
+    if (t.fit.ok()) {
+      o.T_o = t.fit.T_o.row_major();
+      copy(t.fit.sigma, o.covariance);
+      copy(t.fit.motion.velocity, o.velocity);
+      copy(t.fit.motion.covariance, o.velocity_covariance);
+      o.speed = t.fit.motion.velocity.norm();
+      o.disparity_px = t.fit.motion.disparity_px;
+      o.disparity_noise_px = t.fit.motion.disparity_noise_px;
+      o.entropy = t.fit.motion.entropy;
+      o.range = t.fit.motion.range;
+      o.interval = t.fit.motion.interval;
+    }
+    o.phi = t.fit.phi;
+    o.n_points = t.fit.n_points;
+    o.n_inliers = t.fit.n_inliers;
+    copy(t.velocity, o.fused_velocity);
+    copy(t.velocity_covariance, o.fused_covariance);
+    objects_.push_back(o);
+  }
+  // Areas and boxes of what is really seen in the label image.
+  ObjectResult* seen = nullptr;  // of the pixel before, mostly the same
+  for (int y = 0; y < ids_.height(); ++y) {
+    const std::uint32_t* row = ids_.row(y);
+    for (int x = 0; x < ids_.width(); ++x) {
+      if (!row[x]) continue;
+      if (!seen || seen->id != row[x])
+        seen = &*std::lower_bound(objects_.begin(), objects_.end(), row[x],
+                                  [](const ObjectResult& object, std::uint32_t id) { return object.id < id; });
+      ObjectResult& o = *seen;
+      if (o.area++ == 0) o.box = {x, y, x, y};
+      o.box = {std::min(o.box[0], x), std::min(o.box[1], y), std::max(o.box[2], x), std::max(o.box[3], y)};
+    }
+  }
+  for (ObjectResult& o : objects_)
+    if (o.area) o.box = {o.box[0], o.box[1], o.box[2] - o.box[0] + 1, o.box[3] - o.box[1] + 1};
+  result_.labels = labels_.view();
+  result_.ids = ids_.view();
+  result_.objects = {objects_.data(), objects_.size()};
+}
+
+DOT_END_NAMESPACE

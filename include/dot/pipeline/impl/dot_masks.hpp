@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "dot/pipeline/dot.hpp"
+
+/// @file
+/// Masks: prediction, association, births, labels.
+
+DOT_BEGIN_NAMESPACE
+
+/// Masks and references of all tracks at constant velocity in this frame.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::predict_tracks() {
+  tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), [](const TrackT& t) { return t.lost; }), tracks_.end());
+  const CameraState& c = camera_state_;
+  const Matrix6<double> Ad = c.T_cur_prev.adjoint();
+  for (TrackT& t : tracks_) {
+    t.born_now = t.segmented = false;
+    t.observed = nullptr;
+    for (ObjectReference& r : t.references) {
+      r.T_cur_ref = c.T_cur_prev * r.T_cur_ref;
+      r.camera_covariance = Ad * r.camera_covariance * Ad.transpose() + c.covariance;
+      ++r.intervals;
+    }
+    const bool moves = t.state == State::Moving || t.p_moving > 0.5;
+    t.T_o_predicted = moves ? SE3d::translation(t.velocity * current_.dt) : SE3d{};
+    warp(t.outline, c.T_cur_prev * t.T_o_predicted * t.T_cur_outline, camera_, current_.inverse_depth.view(),
+         options_.mask.depth_tolerance, warp_workspace_, t.predicted);
+  }
+}
+
+/// The instances of the frame's segmentation, whichever way they came.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::read_masks(const Frame& frame) {
+  observed_.clear();
+  segmented_ = frame.masks.has_value();
+  if (!segmented_) return;
+  if (frame.masks->ids.data != nullptr) {
+    split_ids(frame.masks->ids, split_, split_workspace_);
+    for (auto& [id, mask] : split_) {
+      Observed o;
+      o.instance_id = id;
+      o.mask = std::move(mask);
+      observed_.push_back(std::move(o));
+    }
+  }
+  for (const Instance& instance : frame.masks->instances) {
+    Observed* o = nullptr;
+    if (instance.mask.data != nullptr) {
+      observed_.emplace_back();
+      o = &observed_.back();
+      o->instance_id = instance.id;
+      o->mask = mask_of(instance, camera_.width(), camera_.height());
+    } else {
+      for (Observed& other : observed_)
+        if (other.instance_id == instance.id) o = &other;
+    }
+    if (!o) continue;
+    o->class_id = instance.class_id;
+    o->score = instance.score;
+    o->always_dynamic = instance.always_dynamic;
+  }
+  observed_.erase(std::remove_if(observed_.begin(), observed_.end(), [](const Observed& o) { return o.mask.empty(); }),
+                  observed_.end());
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::associate() {
+  std::vector<TrackT*> all;
+  for (TrackT& t : tracks_) all.push_back(&t);
+  match(all);
+}
+
+/// Gives the tracks those of the observed masks that have no track yet.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::match(const std::vector<TrackT*>& tracks) {
+  std::vector<const Mask*> predicted, observed;
+  std::vector<Observed*> open;
+  for (const TrackT* t : tracks) predicted.push_back(&t->predicted.mask);
+  for (Observed& o : observed_)
+    if (!o.track) open.push_back(&o), observed.push_back(&o.mask);
+  if (open.empty() || predicted.empty()) return;
+  const std::vector<int> partner = dot::associate(predicted, observed, options_.mask);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (partner[i] < 0) continue;
+    TrackT& t = *tracks[static_cast<std::size_t>(partner[i])];
+    open[i]->track = &t;
+    t.observed = &open[i]->mask;
+    t.segmented = true;
+    t.instance_id = open[i]->instance_id;
+    t.class_id = open[i]->class_id;
+    t.score = open[i]->score;
+    t.always_dynamic = open[i]->always_dynamic;
+  }
+}
+
+/// Masks of this frame: the network's where there is one, otherwise the outline moved by T_c T_o. What the network shows
+/// and no track explains, now that their motions are known, becomes a new track.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
+  std::vector<TrackT*> unmatched;
+  for (TrackT& t : tracks_)
+    if (!t.observed) unmatched.push_back(&t);
+  match(unmatched);
+  start_tracks();
+  for (TrackT& t : tracks_) {
+    if (t.observed) {
+      t.mask = *t.observed;
+      make_template(t.mask, current_.inverse_depth.view(), options_.mask.depth_tolerance, template_workspace_, t.outline);
+      t.T_cur_outline = {};
+      t.visible = true;
+    } else {
+      t.mask = t.predicted.mask;
+      t.visible = t.mask.area >= options_.mask.min_pixels;
+    }
+    if (t.observed || (!segmented_ && t.visible && t.fit.ok())) t.last_seen = current_.timestamp;
+    if (!t.visible) t.fit.reason = t.fit.ok() ? Reason::Hidden : t.fit.reason;
+    if (current_.timestamp - t.last_seen > options_.mask.keep_seconds) {
+      t.lost = true;
+      t.fit.reason = Reason::Lost;
+    }
+  }
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::start_tracks() {
+  for (Observed& o : observed_) {
+    if (o.track) continue;
+    TrackT t;
+    t.id = next_id_++;
+    t.instance_id = o.instance_id;
+    t.class_id = o.class_id;
+    t.score = o.score;
+    t.always_dynamic = o.always_dynamic;
+    t.observed = &o.mask;
+    t.segmented = true;
+    t.born_now = true;
+    t.fit.reason = Reason::New;
+    if (t.always_dynamic) t.state = t.last_decided = State::Moving, t.p_moving = 1;
+    tracks_.push_back(std::move(t));
+    o.track = &tracks_.back();
+  }
+}
+
+/// Label and id image: far to near, predicted masks below those that the network saw in this frame.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::label() {
+  labels_.resize(camera_.width(), camera_.height());
+  ids_.resize(camera_.width(), camera_.height());
+  labels_.fill(0);
+  ids_.fill(0);
+  std::vector<TrackT*> order;
+  for (TrackT& t : tracks_)
+    if (t.visible && !t.lost) order.push_back(&t);
+  const auto rank = [](const TrackT* t) { return std::make_tuple(t->observed != nullptr, t->inverse_depth(), t->id); };
+  std::sort(order.begin(), order.end(), [&](const TrackT* l, const TrackT* r) { return rank(l) < rank(r); });
+  for (const TrackT* t : order)
+    for (int y = 0; y < t->mask.height(); ++y)
+      for (int x = 0; x < t->mask.width(); ++x) {
+        if (!t->mask.pixels(x, y)) continue;
+        labels_(t->mask.x + x, t->mask.y + y) = static_cast<std::uint8_t>(t->state);
+        ids_(t->mask.x + x, t->mask.y + y) = t->id;
+      }
+  Mask shown;
+  for (TrackT* t : order) {
+    crop_ids<std::uint32_t>(ids_.view(), t->id, t->mask.box(), shown);
+    std::swap(shown, t->mask);
+    t->visible = !t->mask.empty();
+  }
+}
+
+DOT_END_NAMESPACE

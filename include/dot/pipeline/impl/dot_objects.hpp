@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "dot/pipeline/dot.hpp"
+
+/// @file
+/// Motion of the objects: Algorithm 1 of the paper, with `continue` instead of `break`.
+
+DOT_BEGIN_NAMESPACE
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::follow_and_decide() {
+  std::vector<TrackT*> order;
+  for (TrackT& t : tracks_) order.push_back(&t);
+  std::sort(order.begin(), order.end(), [](const TrackT* l, const TrackT* r) {
+    const double a = l->inverse_depth(), b = r->inverse_depth();
+    return a != b ? a > b : l->id < r->id;
+  });
+  nearer_.resize(camera_.width(), camera_.height());
+  nearer_.fill(0);
+  for (TrackT* object : order) {
+    follow(*object);
+    decide(*object);
+    advance(*object);
+    const Mask& mask = object->observed ? *object->observed : object->predicted.mask;
+    if (!object->fit.ok() && !object->observed) continue;
+    for (int y = 0; y < mask.height(); ++y)
+      for (int x = 0; x < mask.width(); ++x)
+        if (mask.pixels(x, y)) nearer_(mask.x + x, mask.y + y) = 255;
+  }
+}
+
+/// T_o over the last interval, and the reference that tells most about the motion: a slow object shows only against an
+/// older frame.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
+  object.fit = {};
+  object.has_decisive = false;
+  if (!camera_state_.known()) {
+    object.fit.reason = camera_state_.status == CameraStatus::FirstFrame ? Reason::NoReference : Reason::CameraLost;
+    return;
+  }
+  if (object.references.empty()) {
+    object.fit.reason = object.outline.median > 0 ? Reason::TooLittleTexture : Reason::TooLittleDepth;
+    return;
+  }
+  const ObjectScene<Camera> scene{current_.pyramid, camera_, current_.inverse_depth.view(), nearer_.view()};
+  // Shadow and light differ from object to object: gain and offset start at the camera's and are free.
+  const AlignState photometry = camera_state_.alignment.state;
+  const SE3d& T_c = camera_state_.T_cur_prev;
+
+  const ObjectReference& newest = object.references.front();
+  std::vector<SE3d> T_o = starts(object, newest);
+  const double age = current_.timestamp - newest.timestamp;
+  if (!object.has_motion)
+    for (const SE3d& T : object_estimator.search(newest, scene, photometry, age, depth_noise, aligner)) T_o.push_back(T);
+  ObjectFit fit = object_estimator.fit(newest, scene, T_o, photometry, age, depth_noise, aligner);
+  SE3d T_cur_prev_object = T_c * object.T_o_predicted;
+  const auto decide_by = [&](const ObjectReference& reference, const MotionEstimate& motion) {
+    if (object.has_decisive && motion.covariance.trace() >= object.decisive.covariance.trace()) return;
+    const Matrix3<double> R_prev_ref = T_c.R.transpose() * reference.T_cur_ref.R;
+    object.decisive = motion;
+    object.decisive.velocity = R_prev_ref * motion.velocity;
+    object.decisive.covariance = R_prev_ref * motion.covariance * R_prev_ref.transpose();
+    object.has_decisive = true;
+  };
+  if (fit.ok()) {
+    T_cur_prev_object = newest.T_cur_ref * fit.T_o * newest.T_obj_cur_ref.inverse();
+    decide_by(newest, fit.motion);
+  }
+  object.fit = fit;
+  if (newest.intervals != 1 && fit.ok()) object.fit.reason = Reason::Hidden;  // spans more than the last interval
+
+  // Up to three older references, the oldest first.
+  const int count = static_cast<int>(object.references.size());
+  int last = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int k = count - 1 - i * std::max(1, count / 4);
+    if (k <= 0 || k == last) break;
+    last = k;
+    const ObjectReference& older = object.references[static_cast<std::size_t>(k)];
+    const SE3d start = older.T_cur_ref.inverse() * T_cur_prev_object * older.T_obj_cur_ref;
+    const ObjectFit long_fit = object_estimator.fit(older, scene, {start}, photometry,
+                                                    current_.timestamp - older.timestamp, depth_noise, aligner);
+    if (long_fit.ok()) decide_by(older, long_fit.motion);
+  }
+}
+
+/// Where the alignment begins, the most trusted first: as predicted, standing still, moving as in the interval before,
+/// and where a network mask shows it.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+std::vector<SE3d> Dot<Camera, Classifier, Noise, Aligner>::starts(const TrackT& object, const ObjectReference& r) {
+  const SE3d& T_c = camera_state_.T_cur_prev;
+  std::vector<SE3d> out;
+  const double focal = camera_.intrinsics().fx;
+  const auto add = [&](const SE3d& T_o) {
+    const Vector3<double> moved = T_o * r.centroid;
+    if (moved.z() < 0.05) return;
+    for (const SE3d& other : out) {  // the same within half a pixel and one percent of depth
+      const Vector3<double> d = moved - other * r.centroid;
+      if (focal * d.head<2>().norm() < 0.5 * moved.z() && std::abs(d.z()) < 0.01 * moved.z()) return;
+    }
+    out.push_back(T_o);
+  };
+  add(r.T_cur_ref.inverse() * T_c * object.T_o_predicted * r.T_obj_cur_ref);
+  add(SE3d{});
+  if (object.has_motion)
+    add(r.T_cur_ref.inverse() * T_c * object.T_o_last * r.T_obj_cur_ref);
+  const auto add_observed = [&](const Mask& mask) {
+    const Vector3<double> now = anchor(mask);
+    if (now.z() <= 0 || r.anchor.z() <= 0) return;
+    const double seconds = current_.timestamp - r.timestamp;
+    const Vector3<double> d = r.T_cur_ref.inverse() * now - r.anchor;
+    if (d.norm() > object_estimator.settings.max_speed * seconds) return;
+    const double size = mask.area * now.z() * now.z() / (std::max(1, r.area) * r.anchor.z() * r.anchor.z());
+    if (size > 0.3 && size < 3.3) add(SE3d::translation(d));
+  };
+  if (object.observed)
+    add_observed(*object.observed);
+  else
+    for (const Observed& o : observed_)
+      if (!o.track) add_observed(o.mask);
+  return out;
+}
+
+/// Centre of a mask at its median depth, this camera's axes; zero where it has no depth.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask) const {
+  std::vector<float> q;
+  double u = 0, v = 0;
+  for (int y = 0; y < mask.height(); ++y)
+    for (int x = 0; x < mask.width(); ++x) {
+      if (!mask.pixels(x, y)) continue;
+      u += mask.x + x;
+      v += mask.y + y;
+      const float value = current_.inverse_depth(mask.x + x, mask.y + y);
+      if (value > 0) q.push_back(value);
+    }
+  if (q.size() < 10) return Vector3<double>::Zero();
+  const auto middle = q.begin() + static_cast<std::ptrdiff_t>(q.size() / 2);
+  std::nth_element(q.begin(), middle, q.end());
+  return camera_.template unproject<double>(Vector2<double>(u / mask.area, v / mask.area)) / static_cast<double>(*middle);
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object) {
+  const Decision d = classifier(object.memory, object.has_decisive ? &object.decisive : nullptr,
+                                camera_state_.T_cur_prev.R, current_.dt);
+  object.state = object.always_dynamic ? State::Moving : d.state;
+  object.p_moving = object.always_dynamic ? 1 : d.p_moving;
+  object.velocity = d.velocity;
+  object.velocity_covariance = d.covariance;
+  if (object.state != State::NotObservable) object.last_decided = object.state;
+}
+
+/// Carries outline and references into this frame: standing things by T_c alone, so that their outline does not drift
+/// with the noise of the fits.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object) {
+  const SE3d& T_c = camera_state_.T_cur_prev;
+  const bool fitted = object.fit.ok();
+  const SE3d T_o = fitted ? object.fit.T_o : object.T_o_predicted;
+  for (ObjectReference& r : object.references) r.T_obj_cur_ref = T_c * T_o * r.T_obj_cur_ref;
+  object.T_cur_outline = T_c * (object.state == State::Static ? SE3d{} : T_o) * object.T_cur_outline;
+  // The same motion seen from this camera: the prediction for the next interval.
+  object.has_motion = fitted;
+  if (fitted) object.T_o_last = T_c * T_o * T_c.inverse();
+  object.ever_fitted = object.ever_fitted || fitted;
+  warp(object.outline, object.T_cur_outline, camera_, current_.inverse_depth.view(), options_.mask.depth_tolerance,
+       warp_workspace_, object.predicted);
+}
+
+DOT_END_NAMESPACE

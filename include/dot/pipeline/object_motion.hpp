@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "dot/align/aligner.hpp"
+#include "dot/motion/disparity.hpp"
+#include "dot/motion/estimate.hpp"
+#include "dot/motion/settings.hpp"
+#include "dot/pipeline/result.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// An object as a past frame saw it, and what has moved since.
+struct ObjectReference {
+  PointSet points;
+  Vector3<double> centroid = Vector3<double>::Zero();  ///< of the points, camera axes of that frame, metres
+  Vector3<double> anchor = Vector3<double>::Zero();    ///< centre of its mask at its median depth; zero: no depth
+  int area = 0;             ///< pixels of its mask
+  double timestamp = 0;     ///< seconds
+  int intervals = 0;        ///< frames since
+  SE3d T_cur_ref;           ///< camera motion since then
+  Matrix6<double> camera_covariance = Matrix6<double>::Zero();  ///< of T_cur_ref, left twist
+  SE3d T_obj_cur_ref;       ///< the object's points since then, camera and own motion composed
+};
+
+/// What a frame offers to an object's fit.
+template <typename Camera>
+struct ObjectScene {
+  const Pyramid& image;
+  const Camera& camera;
+  ImageView<const float> inverse_depth;   ///< of the frame, 1/m
+  ImageView<const std::uint8_t> hidden;   ///< non-zero where a nearer object was found already
+};
+
+/// One object's motion over one interval, with the reason where there is none.
+struct ObjectFit {
+  Reason reason = Reason::Diverged;
+  SE3d T_o;               ///< reference camera's axes
+  Matrix6<double> sigma = Matrix6<double>::Zero();  ///< Sigma_x: twist of T_o about the moved centroid, photometric
+  double phi = 0;
+  int n_points = 0, n_inliers = 0;
+  MotionEstimate motion;
+
+  bool ok() const { return reason == Reason::None; }
+};
+
+/// Motion T_o of an object with T_c fixed (paper, section 3.B, eq. 4-5), about its centroid, with a weak depth residual
+/// beside the photometric one, chosen among several starts, checked, and with an honest covariance of its velocity.
+struct ObjectMotionEstimator {
+  ObjectSettings settings;
+  MotionPriorSettings prior;
+  VelocitySettings velocity;
+
+  /// @param starts of T_o, in the reference camera's axes, the most trusted first.
+  template <typename Camera, typename Noise, typename Aligner>
+  ObjectFit fit(const ObjectReference& reference, const ObjectScene<Camera>& scene, const std::vector<SE3d>& starts,
+                const AlignState& photometry, double dt, const Noise& noise, Aligner& aligner) const {
+    ObjectFit out;
+    const AlignProblem<Camera> problem = make_problem(reference, scene, dt, noise);
+    if (reference.points.size() < settings.min_points) return out.reason = Reason::TooLittleTexture, out;
+
+    // Levels on which the object still has some structure.
+    int top = std::min(reference.points.levels, scene.image.size()) - 1;
+    while (top > 0 && std::sqrt(1.0 * reference.area) / (1 << top) < 5) --top;
+    std::vector<Alignment> candidates;
+    for (const SE3d& T_o : starts)
+      candidates.push_back(
+          aligner.align(problem, {problem.T_outer * T_o, photometry.gain, photometry.offset}, top));
+    double least = std::numeric_limits<double>::infinity(), sigma = least;
+    for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
+    Alignment* best = nullptr;
+    for (Alignment& a : candidates) {
+      const double cost = aligner.rank(problem, a.state, 0, sigma);
+      if (cost < 0.98 * least || (!best && std::isfinite(cost))) least = cost, best = &a;
+    }
+    if (!best) {
+      out.n_points = 0;
+      return out.reason = Reason::LeavesImage, out;
+    }
+    aligner.finish(problem, *best);
+    fill(reference, *best, problem, scene, dt, noise, out);
+    out.reason = check(reference, *best, out);
+    return out;
+  }
+
+  /// Of many velocities the starts that fit best on a coarse level; for an object without history.
+  template <typename Camera, typename Noise, typename Aligner>
+  std::vector<SE3d> search(const ObjectReference& reference, const ObjectScene<Camera>& scene,
+                           const AlignState& photometry, double dt, const Noise& noise, Aligner& aligner) const {
+    if (reference.points.size() < settings.min_points) return {};
+    const AlignProblem<Camera> problem = make_problem(reference, scene, dt, noise);
+    const int level = std::min({2, reference.points.levels - 1, scene.image.size() - 1});
+    const AlignState still{problem.T_outer, photometry.gain, photometry.offset};
+    const double sigma = aligner.intensity_sigma(problem, still, level);
+    // Steps of two pixels of that level sideways; along the ray as far as makes the same change of scale at the border.
+    const double z = std::max(0.1, reference.centroid.z()), reach = settings.search_speed * dt;
+    const double focal = scene.camera.intrinsics().fx / (1 << level);
+    const double half_size = std::max(2.0, 0.5 * std::sqrt(1.0 * reference.area) / (1 << level));
+    const double side = std::max(2 * z / focal, reach / 8), along = std::max(z / half_size, reach / 6);
+    std::vector<std::pair<double, SE3d>> found;
+    for (double dz = -std::floor(reach / along) * along; dz <= reach; dz += along)
+      for (double dx = -std::floor(reach / side) * side; dx <= reach; dx += side) {
+        const SE3d T_o = SE3d::translation(Vector3<double>(dx, 0, dz));
+        const double cost = aligner.rank(problem, {problem.T_outer * T_o, still.gain, still.offset}, level, sigma);
+        if (std::isfinite(cost)) found.push_back({cost, T_o});
+      }
+    const std::size_t keep = std::min<std::size_t>(found.size(), 3);
+    std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(keep), found.end(),
+                      [](const auto& l, const auto& r) { return l.first < r.first; });
+    std::vector<SE3d> starts;
+    for (std::size_t i = 0; i < keep; ++i) starts.push_back(found[i].second);
+    return starts;
+  }
+
+ private:
+  template <typename Camera, typename Noise>
+  AlignProblem<Camera> make_problem(const ObjectReference& reference, const ObjectScene<Camera>& scene, double dt,
+                                    const Noise& noise) const {
+    AlignProblem<Camera> problem{reference.points, scene.image, scene.camera};
+    problem.T_outer = reference.T_cur_ref;
+    problem.centred = true;
+    problem.centroid = reference.centroid;
+    problem.prior = prior_information(dt);
+    const double q = 1 / std::max(0.05, reference.centroid.z());
+    const double pixel = noise.pixel(q), change = noise.change(q);
+    problem.depth.inverse_depth = scene.inverse_depth;
+    problem.depth.hidden = scene.hidden;
+    problem.depth.sigma = static_cast<float>(std::sqrt(pixel * pixel + change * change));
+    // Neighbouring depths are not independent, and all share the change of the common error: together they are worth
+    // N = 1 / (A_corr / area + change^2 / pixel^2) measurements.
+    const double n = 1 / (45.0 / std::max(45, reference.area) + change * change / (pixel * pixel));
+    problem.depth.weight = static_cast<float>(n / std::max(1, reference.points.size()));
+    return problem;
+  }
+
+  Matrix6<double> prior_information(double dt) const {
+    Matrix6<double> P = Matrix6<double>::Zero();
+    const double t = 1 / std::pow(prior.velocity * dt, 2), r = 1 / std::pow(prior.rotation * dt, 2);
+    P.diagonal() << t, t, t, r, r, r;
+    if (prior.ground_vehicle) {
+      // Up and down, pitch and roll: a tenth of what is free elsewhere.
+      const Vector3<double> up = Vector3<double>(prior.up_x, prior.up_y, prior.up_z).normalized();
+      const Matrix3<double> vertical = up * up.transpose();
+      P.topLeftCorner<3, 3>() += 99 * t * vertical;
+      P.bottomRightCorner<3, 3>() += 99 * r * (Matrix3<double>::Identity() - vertical);
+    }
+    return P;
+  }
+
+  template <typename Camera, typename Noise>
+  void fill(const ObjectReference& reference, const Alignment& a, const AlignProblem<Camera>& problem,
+            const ObjectScene<Camera>& scene, double dt, const Noise& noise, ObjectFit& out) const {
+    const SE3d T_c = problem.T_outer;
+    out.T_o = T_c.inverse() * a.state.T;
+    out.sigma = a.covariance.topLeftCorner<6, 6>();
+    out.phi = a.phi;
+    out.n_points = a.inside;
+    out.n_inliers = a.inliers;
+    MotionEstimate& m = out.motion;
+    const Vector3<double> moved = out.T_o * reference.centroid;
+    m.velocity = (moved - reference.centroid) / dt;
+    m.interval = dt;
+    m.intervals = std::max(1, reference.intervals);
+    m.range = moved.z();
+    m.covariance = displacement_covariance(reference, a, moved, noise) / (dt * dt) +
+                   Matrix3<double>::Identity() * velocity.floor * velocity.floor;
+    m.entropy = entropy(out.sigma);
+    const DynamicDisparity d =
+        dynamic_disparity(reference.points, scene.camera, T_c, out.T_o, reference.centroid, out.sigma);
+    m.disparity_px = d.median_px;
+    m.disparity_noise_px = d.noise_px;
+  }
+
+  /// V dt^2: photometric + depth errors that the object's points share, propagated through the fit (constant over the
+  /// object, linear over it in u and v, and changing between the frames) + the camera's.
+  template <typename Noise>
+  Matrix3<double> displacement_covariance(const ObjectReference& reference, const Alignment& a,
+                                          const Vector3<double>& moved, const Noise& noise) const {
+    const double q = 1 / std::max(0.05, reference.centroid.z());
+    const double common = noise.common(q), pixel = noise.pixel(q);
+    const double change = reference.intervals > 2 ? std::max(common, noise.change(q)) : noise.change(q);
+    Matrix3<double> V = velocity.photometric_scale * a.covariance.topLeftCorner<3, 3>();
+    const auto add = [&](const Vector8& mode, double variance) {
+      const Vector3<double> x = mode.head<3>();
+      V += variance * x * x.transpose();
+    };
+    add(a.depth_modes[0], common * common + 60 * pixel * pixel / std::max(60, reference.area));
+    add(a.depth_modes[1], 0.49 * common * common);
+    add(a.depth_modes[2], 0.49 * common * common);
+    add(a.depth_modes[3], change * change);
+    return V + velocity.camera_scale * camera_share(reference.camera_covariance, reference.T_cur_ref,
+                                                    Vector3<double>(reference.T_cur_ref * moved));
+  }
+
+  Reason check(const ObjectReference& reference, const Alignment& a, const ObjectFit& out) const {
+    if (!a.state.T.t.allFinite() || !a.covariance.allFinite()) return Reason::Diverged;
+    if (a.inside < settings.min_points || a.inside < settings.min_visible * reference.points.size())
+      return Reason::LeavesImage;
+    if (a.seen < settings.min_inliers || a.seen < 0.3 * a.inside) return Reason::Occluded;
+    if (a.phi < settings.min_phi) return Reason::LowCorrelation;
+    if (a.inliers < settings.min_inliers || a.inliers < settings.min_inlier_share * a.seen) return Reason::TooFewInliers;
+    if (a.with_depth >= settings.min_inliers && a.depth_agrees < settings.min_depth_agreement * a.with_depth)
+      return Reason::DepthDisagrees;
+    if (out.motion.velocity.norm() > settings.max_speed) return Reason::Implausible;
+    return Reason::None;
+  }
+};
+
+DOT_END_NAMESPACE

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <deque>
+
+#include "dot/mask/template.hpp"
+#include "dot/mask/warp.hpp"
+#include "dot/pipeline/object_motion.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// One object over time. `Memory` is the classifier's.
+template <typename Memory>
+struct Track {
+  std::uint32_t id = 0;
+  Memory memory{};
+  bool always_dynamic = false;
+  std::uint32_t instance_id = 0;
+  std::int32_t class_id = -1;
+  float score = 0;
+
+  // Its outline: the last mask that a network gave, and where that is now.
+  MaskTemplate outline;
+  SE3d T_cur_outline;      ///< composed motion of the object's points since then
+  WarpedMask predicted;    ///< in this frame, by the predicted or the fitted motion
+  Mask mask;               ///< what is shown in this frame
+  const Mask* observed = nullptr;  ///< this frame's network mask, if one was associated; valid during `track`
+  bool segmented = false;  ///< there was one
+  bool visible = false;
+
+  // Its motion.
+  std::deque<ObjectReference> references;  ///< newest first
+  SE3d T_o_predicted;      ///< constant velocity, previous camera's axes
+  SE3d T_o_last;           ///< last accepted, axes of the camera before that interval
+  bool has_motion = false; ///< T_o_last is that of the interval before this one
+  bool ever_fitted = false;
+  ObjectFit fit;           ///< over the last interval
+  MotionEstimate decisive; ///< of the reference that tells most
+  bool has_decisive = false;
+  State state = State::NotObservable;
+  State last_decided = State::NotObservable;
+  double p_moving = 0.5;
+  Vector3<double> velocity = Vector3<double>::Zero();  ///< fused, newest camera's axes
+  Matrix3<double> velocity_covariance = Matrix3<double>::Zero();
+  double last_seen = 0;    ///< timestamp
+  bool born_now = false;
+  bool lost = false;       ///< to be dropped before the next frame
+
+  /// 1/m; nearer objects are followed first and painted last.
+  double inverse_depth() const {
+    if (!references.empty()) {
+      const ObjectReference& r = references.front();
+      const double z = (r.T_obj_cur_ref * r.centroid).z();
+      if (z > 0) return 1 / z;
+    }
+    return outline.median;
+  }
+};
+
+DOT_END_NAMESPACE

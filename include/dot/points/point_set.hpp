@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace dot {
+
+/// Points of one region of one frame: structure of arrays, all of length size(). They carry their own reference
+/// intensities, so that a frame can be aligned to a past one without keeping its images.
+struct PointSet {
+  static constexpr int kMaxLevels = 6;
+
+  std::vector<float> u, v;     ///< pixels of level 0
+  std::vector<float> x, y;     ///< ray (x, y, 1), camera axes
+  std::vector<float> q;        ///< inverse depth, 1/m
+  std::vector<float> sigma_q;  ///< 1/m
+  std::array<std::vector<float>, kMaxLevels> intensity;  ///< grey value at each pyramid level
+  int levels = 0;
+
+  int size() const { return static_cast<int>(u.size()); }
+
+  void clear() {
+    for (std::vector<float>* a : {&u, &v, &x, &y, &q, &sigma_q}) a->clear();
+    for (auto& a : intensity) a.clear();
+  }
+  void push(float u_, float v_, float x_, float y_, float q_, float sigma_q_) {
+    u.push_back(u_);
+    v.push_back(v_);
+    x.push_back(x_);
+    y.push_back(y_);
+    q.push_back(q_);
+    sigma_q.push_back(sigma_q_);
+  }
+};
+
+}  // namespace dot

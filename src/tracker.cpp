@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/tracker.hpp"
+
+#include <variant>
+
+#include "dot/dot.hpp"
+
+namespace dot {
+
+namespace {
+
+/// The classifier chosen at run time.
+struct ChosenClassifier {
+  std::variant<VelocityClassifier, EntropyClassifier> policy;
+
+  struct Memory {
+    VelocityClassifier::Memory velocity;
+    EntropyClassifier::Memory entropy;
+  };
+
+  Decision operator()(Memory& m, const MotionEstimate* fit, const Matrix3<double>& R_cur_prev, double dt) const {
+    if (const auto* entropy = std::get_if<EntropyClassifier>(&policy)) return (*entropy)(m.entropy, fit, R_cur_prev, dt);
+    return std::get<VelocityClassifier>(policy)(m.velocity, fit, R_cur_prev, dt);
+  }
+};
+
+}  // namespace
+
+struct Tracker::Impl {
+  Dot<Pinhole, ChosenClassifier> pipeline;
+
+  Impl(const Intrinsics& camera, const Options& options) : pipeline(Pinhole(camera), options) {
+    if (options.classifier == ClassifierKind::Velocity)
+      pipeline.classifier.policy = VelocityClassifier{options.velocity};
+    else
+      pipeline.classifier.policy =
+          EntropyClassifier{options.entropy, options.classifier == ClassifierKind::EntropyLiteral};
+  }
+};
+
+Tracker::Tracker(const Intrinsics& camera, const Options& options) : impl_(std::make_unique<Impl>(camera, options)) {}
+Tracker::~Tracker() = default;
+Tracker::Tracker(Tracker&&) noexcept = default;
+Tracker& Tracker::operator=(Tracker&&) noexcept = default;
+
+const Result& Tracker::track(const Frame& frame) { return impl_->pipeline.track(frame); }
+void Tracker::reset() { impl_->pipeline.reset(); }
+const Options& Tracker::options() const { return impl_->pipeline.options(); }
+
+}  // namespace dot

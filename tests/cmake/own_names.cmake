@@ -1,0 +1,15 @@
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+#
+# LIBRARY, the compiled tier, contains no function of Eigen or of the header tier under a name that a host's own code may
+# have too: a linker would keep one of the two, whatever flags it was compiled with. See src/CMakeLists.txt.
+
+execute_process(COMMAND "${NM}" "${LIBRARY}" OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+if(NOT symbols MATCHES "3dot7Tracker" OR NOT symbols MATCHES "14dot_core_eigen")
+  message(FATAL_ERROR "${LIBRARY} lacks dot::Tracker or any code of Eigen: this test looks at the wrong thing")
+endif()
+string(REGEX MATCHALL "[^\n ]*([^0-9]5Eigen|3dot[67]eigen(0|16|32|64))[^\n]*" shared "${symbols}")
+if(shared)
+  list(JOIN shared "\n  " shared)
+  message(FATAL_ERROR "${LIBRARY} shares names with its host:\n  ${shared}")
+endif()

@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+#
+# OUT holds one file of each kind for each frame of SEQUENCE, and complete tables. MASKS: --masks-out OUT/masks was given.
+
+file(GLOB frames RELATIVE "${SEQUENCE}/rgb" "${SEQUENCE}/rgb/*")
+list(LENGTH frames count)
+if(count EQUAL 0)
+  message(FATAL_ERROR "${SEQUENCE}/rgb is empty")
+endif()
+
+set(folders labels instances overlay)
+if(MASKS)
+  list(APPEND folders masks/mask_dot masks/mask_all)
+endif()
+foreach(folder IN LISTS folders)
+  file(GLOB written RELATIVE "${OUT}/${folder}" "${OUT}/${folder}/*")
+  set(expected)
+  foreach(frame IN LISTS frames)
+    string(REGEX REPLACE "\\.[a-z]+$" ".png" frame "${frame}")
+    list(APPEND expected ${frame})
+  endforeach()
+  if(NOT written STREQUAL expected)
+    message(FATAL_ERROR "${OUT}/${folder} holds '${written}', expected '${expected}'")
+  endif()
+endforeach()
+
+file(STRINGS "${OUT}/camera.txt" lines)
+list(LENGTH lines n)
+if(NOT n EQUAL count)
+  message(FATAL_ERROR "${OUT}/camera.txt has ${n} lines for ${count} frames")
+endif()
+
+file(STRINGS "${OUT}/timing.csv" lines)
+list(LENGTH lines n)
+math(EXPR expected "${count} + 1")
+if(NOT n EQUAL expected OR NOT lines MATCHES "^frame,[^;]*,total_ms;")
+  message(FATAL_ERROR "${OUT}/timing.csv: ${n} lines for ${count} frames and a header, or a wrong header")
+endif()
+
+file(STRINGS "${OUT}/objects.csv" lines)
+list(GET lines 0 header)
+foreach(column p_moving disparity_px entropy phi n_points vx vy vz sigma_vx sigma_vy sigma_vz T00 T23 reason)
+  if(NOT ",${header}," MATCHES ",${column},")
+    message(FATAL_ERROR "${OUT}/objects.csv has no column ${column}: ${header}")
+  endif()
+endforeach()
+if(NOT header MATCHES "^frame,track_id,state,speed_mps,")
+  message(FATAL_ERROR "${OUT}/objects.csv starts with ${header}")
+endif()
+# The sample shows both kinds; a run that found only one of them is broken.
+foreach(state moving static)
+  if(NOT lines MATCHES ";[0-9]+,[0-9]+,${state},")
+    message(FATAL_ERROR "${OUT}/objects.csv has no ${state} object")
+  endif()
+endforeach()

@@ -1,0 +1,240 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+#
+# Bad input of the sequence runner: each case must end with its status and one line that names the file or option.
+# usage: dot_run_test.sh DOT_RUN SAMPLE_DIR
+
+set -u
+if [ $# -ne 2 ]; then
+  echo "usage: $0 DOT_RUN SAMPLE_DIR" >&2
+  exit 2
+fi
+dot_run=$1
+sample=$2
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+failures=0
+cases=0
+
+# A fresh copy of the sample's first three frames, at $seq, and an output folder that does not exist yet, at $out.
+fresh() {
+  cases=$((cases + 1))
+  seq=$work/$cases/seq
+  out=$work/$cases/out
+  mkdir -p "$seq"
+  cp "$sample/intrinsics.txt" "$seq"
+  head -n 3 "$sample/times.txt" > "$seq/times.txt"
+  local folder
+  for folder in rgb depth masks right; do
+    mkdir "$seq/$folder"
+    cp "$sample/$folder"/00000[012].* "$seq/$folder"
+  done
+}
+
+fail() {
+  failures=$((failures + 1))
+  echo "FAILED: $1" >&2
+  sed 's/^/    /' "$work/stderr" >&2
+}
+
+# rejects WHAT STATUS TEXT ARGUMENT...: the runner ends with STATUS and says TEXT in one line.
+rejects() {
+  local what=$1 status=$2 text=$3 got
+  shift 3
+  "$dot_run" "$@" > "$work/stdout" 2> "$work/stderr"
+  got=$?
+  [ "$got" -eq "$status" ] || fail "$what: status $got, expected $status"
+  grep -qF -- "$text" "$work/stderr" || fail "$what: the message does not contain '$text'"
+  [ "$(wc -l < "$work/stderr")" -eq 1 ] || fail "$what: the message is not one line"
+}
+
+# accepts WHAT ARGUMENT...: the runner ends with 0 and complains of nothing.
+accepts() {
+  local what=$1 got
+  shift
+  "$dot_run" "$@" > "$work/stdout" 2> "$work/stderr"
+  got=$?
+  [ "$got" -eq 0 ] || fail "$what: status $got, expected 0"
+  [ ! -s "$work/stderr" ] || fail "$what: says something on standard error"
+}
+
+# has FILE...: files that must exist and not be empty.
+has() {
+  local file
+  for file in "$@"; do [ -s "$file" ] || fail "$file is missing or empty"; done
+}
+
+truncate_file() { head -c 200 "$1" > "$1.part" && mv "$1.part" "$1"; }
+
+# --- What must work: otherwise the rejections below prove nothing.
+
+fresh
+accepts "plain run" "$seq" --out "$out" --overlay --masks-out "$out/masks" --mask-every=2 --threads 1
+has "$out"/{labels,instances,overlay,masks/mask_dot,masks/mask_all}/00000{0,1,2}.png
+has "$out"/{camera.txt,objects.csv,timing.csv}
+[ "$(head -n 1 "$out/camera.txt")" = "1 0 0 0 0 1 0 0 0 0 1 0" ] || fail "camera.txt does not begin with the identity"
+accepts "its own camera.txt as --camera" "$seq" --out "$out/2" --camera "$out/camera.txt"
+# The digits of a file are rounded, hence the comparison of numbers.
+paste -d ' ' "$out/camera.txt" "$out/2/camera.txt" | awk '
+  { for (i = 1; i <= 12; ++i) if (($i - $(i + 12)) ^ 2 > 1e-20) bad = 1 } END { exit bad || NR != 3 }' \
+  || fail "--camera does not reproduce the poses it was given"
+
+fresh
+accepts "stereo" "$seq" --out "$out" --stereo
+rm -r "$seq/depth"
+accepts "stereo without a depth folder" "$seq" --out "$out"
+
+fresh
+rm "$seq"/masks/*
+accepts "no masks" "$seq" --out "$out"
+[ "$(wc -l < "$out/objects.csv")" -eq 1 ] || fail "objects without any mask"
+
+fresh
+rm "$seq/times.txt"
+printf 'depth lidar\n' >> "$seq/intrinsics.txt"
+printf '# a comment\nvelocity.v0 = 0.4\nclassifier = entropy\nmotion_prior.ground_vehicle = true\n' > "$seq/config"
+accepts "settings" "$seq" --out "$out" --config "$seq/config"
+grep -q 'lidar' "$work/stdout" || fail "the depth line of intrinsics.txt is not used"
+
+fresh
+printf 'id,class,score\n1,person,0.9\n2,car,0.8\n' > "$seq/masks/000001.csv"
+accepts "list of instances" "$seq" --out "$out" --always-dynamic person,dog
+accepts "help" --help
+grep -q -- '--mask-every' "$work/stdout" || fail "--help does not list the options"
+
+# Frame numbers are those of rgb/, also where the recording's middle is played.
+fresh
+for folder in rgb depth masks; do rm "$seq/$folder"/000000.*; done
+accepts "part of a recording" "$seq" --out "$out"
+has "$out"/labels/00000{1,2}.png
+[ ! -e "$out/labels/000000.png" ] || fail "a frame that rgb/ does not have was written"
+[ "$(sed -n 2p "$out/timing.csv" | cut -d , -f 1)" = 1 ] || fail "timing.csv does not use the frame numbers of rgb/"
+
+# --- Command line.
+
+fresh
+rejects "unknown option" 2 "--no-such-option" "$seq" --out "$out" --no-such-option
+rejects "no sequence" 2 "sequence" --out "$out"
+rejects "no output" 2 "--out" "$seq"
+rejects "option without value" 2 "--out" "$seq" --out
+rejects "two sequences" 2 "more than one sequence" "$seq" "$seq" --out "$out"
+rejects "mask rate 0" 2 "--mask-every" "$seq" --out "$out" --mask-every 0
+rejects "mask rate in words" 2 "--mask-every" "$seq" --out "$out" --mask-every often
+rejects "no threads" 2 "--threads" "$seq" --out "$out" --threads 0
+rejects "unknown classifier" 2 "--classifier" "$seq" --out "$out" --classifier guess
+rejects "delayed masks" 2 "--mask-delay is not supported" "$seq" --out "$out" --mask-delay 2
+rejects "discovery" 2 "--discover is not supported" "$seq" --out "$out" --discover
+rejects "output into the sequence" 2 "--out" "$seq" --out "$seq/."
+[ ! -e "$seq/objects.csv" ] || fail "the sequence's folder was written to"
+
+# --- Folders and tables of the sequence.
+
+rejects "no such sequence" 1 "$seq/none" "$seq/none" --out "$out"
+rejects "no such depth folder" 1 "$seq/none" "$seq" --out "$out" --depth-dir none
+rejects "no such mask folder" 1 "$seq/none" "$seq" --out "$out" --mask-dir none
+rejects "no configuration" 1 "$seq/none" "$seq" --out "$out" --config "$seq/none"
+rejects "no camera file" 1 "$seq/none" "$seq" --out "$out" --camera "$seq/none"
+
+fresh; rm "$seq/intrinsics.txt"
+rejects "missing intrinsics" 1 "intrinsics.txt" "$seq" --out "$out"
+fresh; : > "$seq/intrinsics.txt"
+rejects "empty intrinsics" 1 "intrinsics.txt: fx" "$seq" --out "$out"
+fresh; echo "362.5 362.5 309.5 93.5 620 188" > "$seq/intrinsics.txt"
+rejects "intrinsics without baseline" 1 "intrinsics.txt: baseline" "$seq" --out "$out"
+fresh; echo "0 362.5 309.5 93.5 620 188 0.53 10" > "$seq/intrinsics.txt"
+rejects "focal length 0" 1 "intrinsics.txt: fx" "$seq" --out "$out"
+fresh; echo "362.5 abc 309.5 93.5 620 188 0.53 10" > "$seq/intrinsics.txt"
+rejects "focal length in letters" 1 "intrinsics.txt: fy" "$seq" --out "$out"
+fresh; echo "362.5 362.5 309.5 93.5 620 188 0.53 0" > "$seq/intrinsics.txt"
+rejects "frame rate 0" 1 "intrinsics.txt: fps" "$seq" --out "$out"
+fresh; echo "362.5 362.5 309.5 93.5 640 480 0.53 10" > "$seq/intrinsics.txt"
+rejects "another image size" 1 "rgb/000000.png" "$seq" --out "$out"
+fresh; echo "depth sonar" >> "$seq/intrinsics.txt"
+rejects "unknown depth source" 1 "intrinsics.txt: line 2" "$seq" --out "$out"
+fresh; echo "362.5 362.5 309.5 93.5 620 188 0 10" > "$seq/intrinsics.txt"
+rejects "stereo without baseline" 1 "intrinsics.txt: baseline" "$seq" --out "$out" --stereo
+fresh; rm -r "$seq/right"
+rejects "stereo without right images" 1 "$seq/right" "$seq" --out "$out" --stereo
+fresh; rm "$seq"/right/000001.*
+rejects "missing right image" 1 "right/000001" "$seq" --out "$out" --stereo
+fresh; rm -r "$seq/rgb"
+rejects "no images" 1 "$seq/rgb" "$seq" --out "$out"
+fresh; rm "$seq"/rgb/*
+rejects "empty image folder" 1 "$seq/rgb" "$seq" --out "$out"
+fresh; cp "$seq/rgb/000001.png" "$seq/rgb/000001.jpg"
+rejects "two images of a frame" 1 "rgb/000001" "$seq" --out "$out"
+fresh; printf '0\n0.1\n' > "$seq/times.txt"
+rejects "too few times" 1 "times.txt" "$seq" --out "$out"
+fresh; printf '0\n0.1\n0.1\n' > "$seq/times.txt"
+rejects "times that stand still" 1 "times.txt: line 3" "$seq" --out "$out"
+fresh; printf '0\nnoon\n0.2\n' > "$seq/times.txt"
+rejects "times in words" 1 "times.txt: line 2" "$seq" --out "$out"
+
+# --- Images.
+
+for file in rgb/000001.png depth/000002.png masks/000001.png; do
+  fresh; truncate_file "$seq/$file"
+  rejects "truncated $file" 1 "$file" "$seq" --out "$out"
+  fresh; : > "$seq/$file"
+  rejects "empty $file" 1 "$file" "$seq" --out "$out"
+  fresh; echo "this is not an image" > "$seq/$file"
+  rejects "text in $file" 1 "$file" "$seq" --out "$out"
+done
+fresh; rm "$seq/depth/000001.png"
+rejects "missing depth" 1 "depth/000001.png" "$seq" --out "$out"
+fresh; truncate_file "$seq/right/000001.jpg"
+rejects "truncated JPEG" 1 "right/000001.jpg" "$seq" --out "$out" --stereo
+fresh; cp "$seq/rgb/000001.png" "$seq/depth/000001.png"
+rejects "colour as depth" 1 "depth/000001.png" "$seq" --out "$out"
+fresh; cp "$seq/rgb/000001.png" "$seq/masks/000001.png"
+rejects "colour as mask" 1 "masks/000001.png" "$seq" --out "$out"
+fresh; cp "$seq/depth/000001.png" "$seq/rgb/000001.png"
+rejects "depth as image" 1 "rgb/000001.png" "$seq" --out "$out"
+fresh; rm "$seq/masks/000001.png"; mkdir "$seq/masks/000001.png"
+rejects "folder as mask" 1 "masks/000001.png" "$seq" --out "$out"
+fresh; ln -sf nowhere "$seq/masks/000001.png"
+rejects "dangling link as mask" 1 "masks/000001.png" "$seq" --out "$out"
+fresh; printf '0,car,1\n' > "$seq/masks/000001.csv"
+rejects "instance 0" 1 "masks/000001.csv: line 1" "$seq" --out "$out"
+fresh; printf 'id,class,score\n1\n' > "$seq/masks/000001.csv"
+rejects "instance without class" 1 "masks/000001.csv: line 2" "$seq" --out "$out"
+
+# --- Files named on the command line.
+
+fresh; echo "velocity.v1 = 0.5" > "$seq/config"
+rejects "unknown setting" 1 "velocity.v1" "$seq" --out "$out" --config "$seq/config"
+fresh; printf '\nvelocity.v0 = fast\n' > "$seq/config"
+rejects "setting in words" 1 "config: line 2: velocity.v0" "$seq" --out "$out" --config "$seq/config"
+fresh; echo "align.max_levels = 3.5" > "$seq/config"
+rejects "half a level" 1 "align.max_levels" "$seq" --out "$out" --config "$seq/config"
+fresh; echo "velocity.v0" > "$seq/config"
+rejects "setting without value" 1 "config: line 1" "$seq" --out "$out" --config "$seq/config"
+fresh; echo "velocity.v0 = -1" > "$seq/config"
+rejects "setting out of range" 1 "velocity.v0" "$seq" --out "$out" --config "$seq/config"
+fresh; printf '1 0 0 0 0 1 0 0 0 0 1 0\n' > "$seq/poses"
+rejects "too few poses" 1 "$seq/poses" "$seq" --out "$out" --camera "$seq/poses"
+fresh; printf '1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0\n1 0 0 0 0 1 0 0 0 0 1 0\n' > "$seq/poses"
+rejects "short pose" 1 "poses: line 2" "$seq" --out "$out" --camera "$seq/poses"
+fresh; printf '1 0 0 0 0 1 0 0 0 0 1 0\n2 0 0 0 0 2 0 0 0 0 2 0\n1 0 0 0 0 1 0 0 0 0 1 0\n' > "$seq/poses"
+rejects "pose with a scale" 1 "poses: line 2" "$seq" --out "$out" --camera "$seq/poses"
+
+# --- Outputs. A file where a folder belongs stops root as well, unlike a missing permission.
+
+fresh; : > "$work/$cases/file"
+rejects "output below a file" 1 "$work/$cases/file/out" "$seq" --out "$work/$cases/file/out"
+fresh; mkdir -p "$out"; : > "$out/labels"
+rejects "file instead of labels/" 1 "$out/labels" "$seq" --out "$out"
+fresh; mkdir -p "$out/objects.csv"
+rejects "folder instead of objects.csv" 1 "$out/objects.csv" "$seq" --out "$out"
+fresh; mkdir -p "$out/labels/000001.png"
+rejects "folder instead of a label image" 1 "$out/labels/000001.png" "$seq" --out "$out"
+has "$out/labels/000000.png"
+fresh; : > "$work/$cases/file"
+rejects "masks below a file" 1 "$work/$cases/file/m" "$seq" --out "$out" --masks-out "$work/$cases/file/m"
+
+if [ "$failures" -gt 0 ]; then
+  echo "$failures checks failed" >&2
+  exit 1
+fi
+echo "all checks passed"

@@ -33,12 +33,22 @@ bool cut_short(const std::vector<std::uint8_t>& bytes) {
   return false;
 }
 
+std::vector<std::uint8_t> read_bytes(const std::filesystem::path& path) {
+  std::vector<std::uint8_t> bytes;
+  try {
+    std::ifstream stream(path, std::ios::binary);
+    if (stream) bytes.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  } catch (const std::ios_base::failure&) {
+    bytes.clear();  // a folder, or a failing disk
+  }
+  if (bytes.empty()) throw FileError(path.string() + ": cannot be read");
+  return bytes;
+}
+
 }  // namespace
 
 cv::Mat read_image(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream.is_open() || bytes.empty()) throw FileError(path.string() + ": cannot be read");
+  const std::vector<std::uint8_t> bytes = read_bytes(path);
   if (cut_short(bytes)) throw FileError(path.string() + ": the file is cut short");
   cv::Mat image;
   try {

@@ -200,7 +200,8 @@ void Sequence::read_camera(const fs::path& path) {
 void Sequence::choose_depth(const Arguments& arguments) {
   const bool has_depth = fs::is_directory(depth_folder_);
   const fs::path right = folder_ / "right";
-  if (arguments.stereo || (!has_depth && fs::is_directory(right))) {
+  const bool named = arguments.depth_dir != Arguments{}.depth_dir;
+  if (arguments.stereo || (!has_depth && !named && fs::is_directory(right))) {
     if (!fs::is_directory(right)) throw FileError(right.string() + ": no such folder (needed for stereo)");
     if (!(intrinsics_.baseline > 0))
       throw FileError((folder_ / "intrinsics.txt").string() + ": baseline must be > 0 for stereo");

@@ -76,7 +76,8 @@ inline std::array<int, 4> clip_box(const std::array<int, 4>& box, int frame_widt
 /// The pixels of `box` that carry `id`.
 template <typename T>
 void crop_ids(ImageView<const T> ids, std::uint32_t id, const std::array<int, 4>& box, Mask& out) {
-  fill_mask(clip_box(box, ids.width, ids.height), [&](int u, int v) { return ids(u, v) == id; }, out);
+  fill_mask(
+      clip_box(box, ids.width, ids.height), [&](int u, int v) { return ids(u, v) == id; }, out);
 }
 
 /// The pixels of an image of its own (Grey8 or Id8, non-zero = object) whose top left corner is at (x, y) of the frame,
@@ -90,7 +91,8 @@ inline Mask mask_of(const ImageRef& image, int x, int y, int frame_width, int fr
   const ImageView<const std::uint8_t> view{static_cast<const std::uint8_t*>(image.data), image.width, image.height,
                                            image.stride};
   const auto box = clip_box({x, y, image.width, image.height}, frame_width, frame_height);
-  fill_mask(box, [&](int u, int v) { return view(u - x, v - y) != 0; }, out);
+  fill_mask(
+      box, [&](int u, int v) { return view(u - x, v - y) != 0; }, out);
   return out;
 }
 
@@ -170,7 +172,8 @@ inline void split_ids(const ImageRef& ids, std::vector<std::pair<std::uint32_t, 
 /// Counts and crops again after pixels of the mask were changed.
 inline void tighten(Mask& mask) {
   const Mask source = std::exchange(mask, Mask{});
-  fill_mask(source.box(), [&](int u, int v) { return source.pixels(u - source.x, v - source.y) != 0; }, mask);
+  fill_mask(
+      source.box(), [&](int u, int v) { return source.pixels(u - source.x, v - source.y) != 0; }, mask);
 }
 
 /// Pixels that both masks have.

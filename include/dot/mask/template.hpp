@@ -122,8 +122,7 @@ inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth
 }
 
 /// The same with buffers of its own.
-inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth, double tolerance,
-                          MaskTemplate& out) {
+inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth, double tolerance, MaskTemplate& out) {
   TemplateWorkspace workspace;
   return make_template(mask, inverse_depth, tolerance, workspace, out);
 }

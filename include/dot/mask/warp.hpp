@@ -28,11 +28,11 @@ struct WarpedMask {
 /// Buffers of `warp`.
 struct WarpWorkspace {
   /// The template's pixels in the current frame, with a border of one pixel; q = 0 where there is none.
-  Image<float> u, v;      ///< pixels
-  Image<float> q;         ///< 1/m
-  Image<float> scale;     ///< magnification, q over the template's
-  Image<float> surface;   ///< 1/m, nearest predicted surface in a box of the image, 0 = none
-  Image<float> row;       ///< three rows of scratch
+  Image<float> u, v;     ///< pixels
+  Image<float> q;        ///< 1/m
+  Image<float> scale;    ///< magnification, q over the template's
+  Image<float> surface;  ///< 1/m, nearest predicted surface in a box of the image, 0 = none
+  Image<float> row;      ///< three rows of scratch
 };
 
 namespace warping {
@@ -46,8 +46,8 @@ struct Box {
 };
 
 /// Where the pixels (x + i, y), i < n, of inverse depths q[i] come to lie: pixels (u, v) and the depth there over the
-/// depth here, z. Only where q[i] > 0; what is not in front of the camera (z <= 0) has no meaningful (u, v). The loop is
-/// free of branches so that compilers make SIMD code of it for simple cameras.
+/// depth here, z. Only where q[i] > 0; what is not in front of the camera (z <= 0) has no meaningful (u, v). The loop
+/// is free of branches so that compilers make SIMD code of it for simple cameras.
 template <typename Camera>
 void map_row(const SE3f& T, const Camera& camera, int x, int y, int n, const float* q, float* u, float* v, float* z) {
   const Matrix3<float> R = T.R;
@@ -74,7 +74,7 @@ template <typename Camera>
 Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camera, WarpWorkspace& w, double& outside) {
   const int width = source.mask.width(), height = source.mask.height();
   const auto right = static_cast<float>(camera.width() - 1), bottom = static_cast<float>(camera.height() - 1);
-  float u0 = right + kMaxReach, u1 = -kMaxReach, v0 = bottom + kMaxReach, v1 = -kMaxReach, max_scale = 0;
+  float u0 = right + kMaxReach, u1 = -kMaxReach, v0 = bottom + kMaxReach, v1 = -kMaxReach;
   for (Image<float>* image : {&w.u, &w.v, &w.q, &w.scale}) image->resize(width + 2, height + 2);
   w.q.fill(0);
   w.row.resize(std::max(width, camera.width()), 3);
@@ -97,20 +97,20 @@ Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camer
       u1 = std::max(u1, u[x]);
       v0 = std::min(v0, v[x]);
       v1 = std::max(v1, v[x]);
-      max_scale = std::max(max_scale, scale[x]);
     }
   }
-  const float reach = std::min(3 * max_scale + 1, kMaxReach);
-  const auto begin = [&](float p) { return std::max(static_cast<int>(std::floor(p - reach)), 0); };
-  const auto end = [&](float p, int size) { return std::min(static_cast<int>(std::ceil(p + reach)) + 1, size); };
+  const auto begin = [](float p) { return std::max(static_cast<int>(std::floor(p - kMaxReach)), 0); };
+  const auto end = [](float p, int size) { return std::min(static_cast<int>(std::ceil(p + kMaxReach)) + 1, size); };
   return {begin(u0), begin(v0), end(u1, camera.width()), end(v1, camera.height())};
 }
 
 /// Draws the moved pixels, each as the bounding box of the cell that reaches half way to its neighbours, so that there
-/// is no crack; the nearest surface wins. A neighbour more than three magnifications away is on another surface.
+/// is no crack; the nearest surface wins. A neighbour whose depth differs much is on another surface; without any
+/// neighbour the magnification tells the size of the cell.
 inline void draw_surface(WarpWorkspace& w, const Box& box) {
   constexpr float margin = 0.02f;  // against rounding, where cells only touch
-  constexpr int offset = 2 * static_cast<int>(kMaxReach) + 1;  // makes coordinates positive, so that casts round down
+  // Makes coordinates positive, so that casts round down.
+  constexpr int offset = 2 * static_cast<int>(kMaxReach) + 1;
   w.surface.resize(box.x1 - box.x0, box.y1 - box.y0);
   w.surface.fill(0);
   const int width = w.q.width();
@@ -119,14 +119,14 @@ inline void draw_surface(WarpWorkspace& w, const Box& box) {
     float *reach_u = w.row.row(0), *reach_v = w.row.row(1);
     for (int x = 1; x + 1 < width; ++x) {
       float reach[2] = {margin, margin};
-      const float limit = 3 * scale[x];
+      const float limit = 0.2f * q[x];
       for (const int step : {1, width}) {
-        const bool before = q[x - step] > 0, after = q[x + step] > 0;
+        const bool before = std::abs(q[x - step] - q[x]) < limit, after = std::abs(q[x + step] - q[x]) < limit;
         const float du = std::max(before ? std::abs(u[x - step] - u[x]) : 0, after ? std::abs(u[x + step] - u[x]) : 0);
         const float dv = std::max(before ? std::abs(v[x - step] - v[x]) : 0, after ? std::abs(v[x + step] - v[x]) : 0);
         const float lone = before || after ? 0 : scale[x];
-        reach[0] += std::min(step == 1 ? std::max(du, lone) : du, limit) / 2;
-        reach[1] += std::min(step == 1 ? dv : std::max(dv, lone), limit) / 2;
+        reach[0] += (step == 1 ? std::max(du, lone) : du) / 2;
+        reach[1] += (step == 1 ? dv : std::max(dv, lone)) / 2;
       }
       reach_u[x - 1] = std::min(reach[0], kMaxReach);
       reach_v[x - 1] = std::min(reach[1], kMaxReach);

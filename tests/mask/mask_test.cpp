@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/mask/mask.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <random>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using dot::Image;
+using dot::ImageRef;
+using dot::ImageView;
+using dot::Mask;
+using dot::PixelFormat;
+
+/// A mask with random pixels in a random box.
+Mask random_mask(std::mt19937& random, double density) {
+  std::uniform_int_distribution<int> place(0, 12), size(1, 14);
+  std::bernoulli_distribution set(density);
+  Image<std::uint8_t> pixels(30, 30);
+  for (int v = 0; v < 30; ++v)
+    for (int u = 0; u < 30; ++u) pixels(u, v) = set(random);
+  Mask mask;
+  dot::fill_mask(
+      {place(random), place(random), size(random), size(random)}, [&](int u, int v) { return pixels(u, v) != 0; },
+      mask);
+  return mask;
+}
+
+/// Checks that the crop is tight, holds 0 and 255 only, and that the area is right.
+void expect_consistent(const Mask& mask) {
+  int area = 0;
+  std::vector<int> columns(static_cast<std::size_t>(mask.width())), rows(static_cast<std::size_t>(mask.height()));
+  for (int v = 0; v < mask.height(); ++v) {
+    for (int u = 0; u < mask.width(); ++u) {
+      if (mask.pixels(u, v) == 0) continue;
+      EXPECT_EQ(mask.pixels(u, v), 255);
+      ++columns[static_cast<std::size_t>(u)];
+      ++rows[static_cast<std::size_t>(v)];
+      ++area;
+    }
+  }
+  EXPECT_EQ(mask.area, area);
+  EXPECT_EQ(mask.empty(), area == 0);
+  EXPECT_EQ(mask.pixels.empty(), area == 0);
+  if (area == 0) return;
+  EXPECT_GT(columns.front(), 0);
+  EXPECT_GT(columns.back(), 0);
+  EXPECT_GT(rows.front(), 0);
+  EXPECT_GT(rows.back(), 0);
+}
+
+TEST(Mask, IsCroppedToItsPixels) {
+  Mask mask;
+  dot::fill_mask(
+      {2, 3, 20, 20}, [](int u, int v) { return (u == 7 && v == 9) || (u == 11 && v == 6); }, mask);
+  EXPECT_EQ(mask.box(), (std::array<int, 4>{7, 6, 5, 4}));
+  EXPECT_EQ(mask.area, 2);
+  expect_consistent(mask);
+  EXPECT_TRUE(mask.at(7, 9));
+  EXPECT_TRUE(mask.at(11, 6));
+  EXPECT_FALSE(mask.at(7, 6));
+
+  dot::fill_mask(
+      {2, 3, 20, 20}, [](int, int) { return false; }, mask);
+  EXPECT_TRUE(mask.empty());
+  EXPECT_EQ(mask.box(), (std::array<int, 4>{0, 0, 0, 0}));
+}
+
+TEST(Mask, AtIsFalseOutside) {
+  Mask mask;
+  dot::fill_mask(
+      {5, 5, 3, 3}, [](int, int) { return true; }, mask);
+  constexpr int far = std::numeric_limits<int>::max(), near = std::numeric_limits<int>::min();
+  for (const auto& [u, v] : std::vector<std::pair<int, int>>{
+           {4, 5}, {8, 5}, {5, 4}, {5, 8}, {far, 5}, {near, 5}, {5, far}, {5, near}, {near, near}, {-1, -1}})
+    EXPECT_FALSE(mask.at(u, v)) << u << ' ' << v;
+  EXPECT_TRUE(mask.at(5, 5));
+  EXPECT_TRUE(mask.at(7, 7));
+  EXPECT_FALSE(Mask{}.at(0, 0));
+}
+
+TEST(Mask, TightenFollowsChangedPixels) {
+  Mask mask;
+  dot::fill_mask(
+      {10, 20, 6, 6}, [](int, int) { return true; }, mask);
+  for (int i = 0; i < 6; ++i) mask.pixels(0, i) = mask.pixels(i, 5) = 0;
+  dot::tighten(mask);
+  EXPECT_EQ(mask.box(), (std::array<int, 4>{11, 20, 5, 5}));
+  EXPECT_EQ(mask.area, 25);
+  mask.pixels.fill(0);
+  dot::tighten(mask);
+  EXPECT_TRUE(mask.empty());
+  EXPECT_TRUE(mask.pixels.empty());
+}
+
+TEST(Mask, OverlapsEqualBruteForce) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 200; ++round) {
+    const Mask a = random_mask(random, 0.5), b = random_mask(random, 0.5);
+    expect_consistent(a);
+    int both = 0, any = 0;
+    for (int v = 0; v < 40; ++v) {
+      for (int u = 0; u < 40; ++u) {
+        both += a.at(u, v) && b.at(u, v);
+        any += a.at(u, v) || b.at(u, v);
+      }
+    }
+    EXPECT_EQ(dot::overlap(a, b), both);
+    EXPECT_EQ(dot::overlap(b, a), both);
+    EXPECT_DOUBLE_EQ(dot::iou(a, b), any > 0 ? double(both) / any : 0);
+    EXPECT_DOUBLE_EQ(dot::containment(a, b), both > 0 ? double(both) / std::min(a.area, b.area) : 0);
+    EXPECT_DOUBLE_EQ(dot::iou(a, a), a.empty() ? 0 : 1);
+  }
+  EXPECT_EQ(dot::iou(Mask{}, Mask{}), 0);
+  EXPECT_EQ(dot::containment(Mask{}, Mask{}), 0);
+}
+
+/// An id image of blobs, with rows longer than the image.
+template <typename T>
+void check_split(PixelFormat format, T largest) {
+  constexpr int width = 37, height = 23, stride = 48;
+  std::mt19937 random(2);
+  const std::vector<T> choice{0, 1, 2, 9, static_cast<T>(largest - 1), largest};
+  dot::SplitWorkspace workspace;
+  std::vector<std::pair<std::uint32_t, Mask>> found;
+  for (int round = 0; round < 20; ++round) {
+    std::uniform_int_distribution<std::size_t> pick(0, round % 2 == 0 ? choice.size() - 1 : 2);
+    std::vector<T> pixels(stride * height, T{77});
+    T id = 0;
+    for (int v = 0; v < height; ++v)
+      for (int u = 0; u < width; ++u)
+        pixels[static_cast<std::size_t>(v * stride + u)] = id = random() % 4 == 0 ? choice[pick(random)] : id;
+
+    const ImageView<const T> view{pixels.data(), width, height, stride * sizeof(T)};
+    dot::split_ids({pixels.data(), width, height, stride * sizeof(T), format, 1}, found, workspace);
+    std::map<std::uint32_t, int> areas;
+    for (int v = 0; v < height; ++v)
+      for (int u = 0; u < width; ++u)
+        if (view(u, v) != 0) ++areas[view(u, v)];
+    ASSERT_EQ(found.size(), areas.size());
+    auto expected = areas.begin();
+    for (const auto& [key, mask] : found) {
+      EXPECT_EQ(key, expected->first);
+      EXPECT_EQ(mask.area, expected->second);
+      expect_consistent(mask);
+      for (int v = 0; v < height; ++v)
+        for (int u = 0; u < width; ++u) ASSERT_EQ(mask.at(u, v), view(u, v) == key) << u << ' ' << v;
+      Mask cropped;
+      dot::crop_ids(view, key, {-5, -5, 1000, 1000}, cropped);
+      EXPECT_EQ(cropped.box(), mask.box());
+      EXPECT_EQ(dot::overlap(cropped, mask), mask.area);
+      ++expected;
+    }
+  }
+}
+
+TEST(Mask, SplitsIdImages) {
+  check_split<std::uint8_t>(PixelFormat::Id8, 255);
+  check_split<std::uint16_t>(PixelFormat::Id16, 65535);
+  check_split<std::uint32_t>(PixelFormat::Id32, 4294967295u);
+}
+
+TEST(Mask, SplitOfAnEmptyImageForgetsEarlierOnes) {
+  std::vector<std::pair<std::uint32_t, Mask>> found(3);
+  dot::SplitWorkspace workspace;
+  const std::vector<std::uint8_t> zeros(12);
+  dot::split_ids({zeros.data(), 4, 3, 4, PixelFormat::Id8, 1}, found, workspace);
+  EXPECT_TRUE(found.empty());
+}
+
+TEST(Mask, SplitRefusesOtherFormats) {
+  std::vector<std::pair<std::uint32_t, Mask>> found;
+  dot::SplitWorkspace workspace;
+  const std::vector<std::uint8_t> zeros(12);
+  EXPECT_THROW(dot::split_ids({zeros.data(), 4, 3, 4, PixelFormat::Grey8, 1}, found, workspace), std::invalid_argument);
+}
+
+TEST(Mask, CropsWithinABox) {
+  Image<std::uint16_t> ids(10, 8);
+  ids.fill(3);
+  Mask mask;
+  dot::crop_ids<std::uint16_t>(ids.view(), 3, {4, 2, 3, 30}, mask);
+  EXPECT_EQ(mask.box(), (std::array<int, 4>{4, 2, 3, 6}));
+  dot::crop_ids<std::uint16_t>(ids.view(), 4, {0, 0, 10, 8}, mask);
+  EXPECT_TRUE(mask.empty());
+  dot::crop_ids<std::uint16_t>(ids.view(), 3, {20, 20, 5, 5}, mask);
+  EXPECT_TRUE(mask.empty());
+}
+
+/// What the tracker's instances look like to this room.
+struct Placed {
+  ImageRef mask;
+  int x, y;
+};
+
+TEST(Mask, OfAnInstanceIsClippedToTheFrame) {
+  std::vector<std::uint8_t> pixels(6 * 5, 1);
+  pixels[0] = 0;
+  const ImageRef image{pixels.data(), 6, 5, 6, PixelFormat::Grey8, 1};
+  constexpr int width = 20, height = 10;
+
+  Mask mask = dot::mask_of(Placed{image, 3, 2}, width, height);
+  EXPECT_EQ(mask.box(), (std::array<int, 4>{3, 2, 6, 5}));
+  EXPECT_EQ(mask.area, 29);
+  EXPECT_FALSE(mask.at(3, 2));
+  expect_consistent(mask);
+
+  mask = dot::mask_of(Placed{image, -4, -3}, width, height);
+  EXPECT_EQ(mask.box(), (std::array<int, 4>{0, 0, 2, 2}));
+  mask = dot::mask_of(Placed{image, 17, 8}, width, height);
+  EXPECT_EQ(mask.box(), (std::array<int, 4>{17, 8, 3, 2}));
+  EXPECT_EQ(mask.area, 5);
+
+  constexpr int far = std::numeric_limits<int>::max(), near = std::numeric_limits<int>::min();
+  for (const auto& [x, y] :
+       std::vector<std::pair<int, int>>{{far, 0}, {near, 0}, {0, far}, {0, near}, {-6, 0}, {20, 0}, {0, 10}})
+    EXPECT_TRUE(dot::mask_of(Placed{image, x, y}, width, height).empty()) << x << ' ' << y;
+  EXPECT_TRUE(dot::mask_of(Placed{ImageRef{}, 0, 0}, width, height).empty());
+}
+
+TEST(Mask, OfAnInstanceRefusesOtherFormats) {
+  const std::vector<std::uint16_t> pixels(12, 1);
+  EXPECT_THROW(dot::mask_of(ImageRef{pixels.data(), 4, 3, 8, PixelFormat::Id16, 1}, 0, 0, 20, 10),
+               std::invalid_argument);
+}
+
+}  // namespace

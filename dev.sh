@@ -67,7 +67,7 @@ compile() {
   say "building $* in $build (Release)"
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
     || fail "CMake could not configure; to start afresh, remove $build"
-  cmake --build "$build" --parallel "$jobs" --target "$@"
+  cmake --build "$build" --parallel "$jobs" --target "$@" || fail "does not build; the compiler's message is above"
 }
 
 sources() { git ls-files '*.hpp' '*.cpp' '*.h' '*.c'; }
@@ -77,7 +77,7 @@ demo() {
   say "running dot_run on $sample"
   local out=$root/out/demo
   rm -rf "$out"
-  "$build/examples/dot_run" "$sample" --out "$out" --overlay --mask-every 1
+  "$build/examples/dot_run" "$sample" --out "$out" --overlay --mask-every 1 || fail "dot_run failed on the sample"
   say "results"
   printf 'labels    %s (0 background, 1 static, 2 moving, 3 not observable)\n' "$out/labels"
   printf 'pictures  %s\n' "$out/overlay"
@@ -87,7 +87,7 @@ demo() {
 run_tests() {
   compile all
   say "testing"
-  ctest --test-dir "$build" --output-on-failure -j2
+  ctest --test-dir "$build" --output-on-failure -j2 || fail "tests failed; what each of them printed is above"
 }
 
 bench() {

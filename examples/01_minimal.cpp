@@ -4,6 +4,7 @@
 /// The shortest complete program: label the objects of a recording's first frames.
 /// usage: example_minimal SEQUENCE      (try examples/data/mini)
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -45,9 +46,10 @@ int main(int argc, char** argv) try {
     std::printf("frame %d\n", i);
     for (const dot::ObjectResult& object : result.objects) {
       std::printf("  object %u  %-12s", object.id, dot::to_string(object.state));
-      const auto& v = object.velocity_covariance;
+      const Eigen::Map<const Eigen::Vector3d> v(object.velocity.data());
+      const Eigen::Map<const Eigen::Matrix3d> V(object.velocity_covariance.data());
       if (object.reason == dot::Reason::None)
-        std::printf("  %5.2f m/s, sigma %.2f", object.speed, std::sqrt(v[0] + v[4] + v[8]));
+        std::printf("  %5.2f m/s, sigma %.2f", object.speed, std::sqrt(v.dot(V * v)) / std::max(v.norm(), 1e-9));
       std::printf("\n");
     }
   }

@@ -29,7 +29,8 @@ camera.txt, objects.csv and timing.csv.
   --camera FILE             camera-to-world poses, KITTI format, to use instead of estimating the motion
   --config FILE             settings, `name = value` a line
   --classifier NAME         velocity (default), entropy or entropy-literal
-  --always-dynamic CLASS,...  classes of the masks' csv files that always count as moving
+  --always-dynamic CLASS,...
+                            classes of the masks' csv files that always count as moving
   --threads N               threads of OpenCV (default 1)
   --help                    print this
 )";
@@ -88,8 +89,7 @@ Arguments parse_arguments(int count, const char* const* values) {
     const std::string argument = values[i];
     const std::size_t equals = argument.rfind("--", 0) == 0 ? argument.find('=') : std::string::npos;
     const std::string name = argument.substr(0, equals);
-    if (name == "--mask-delay" || name == "--discover")
-      throw UsageError(name + " is not supported by this version");
+    if (name == "--mask-delay" || name == "--discover") throw UsageError(name + " is not supported by this version");
     if (const auto flag = flags.find(argument); flag != flags.end()) {
       flag->second();
     } else if (const auto option = options.find(name); option != options.end()) {

@@ -84,9 +84,9 @@ void paint(cv::Mat picture, const cv::Mat& coverage, const Style& style) {
 
 void draw_object(cv::Mat& picture, const cv::Mat& ids, const dot::ObjectResult& object, int zoom) {
   constexpr int margin = 6;
-  const cv::Rect box = cv::Rect(object.box[0] - margin, object.box[1] - margin, object.box[2] + 2 * margin,
-                                object.box[3] + 2 * margin) &
-                       cv::Rect(0, 0, ids.cols, ids.rows);
+  const cv::Rect box =
+      cv::Rect(object.box[0] - margin, object.box[1] - margin, object.box[2] + 2 * margin, object.box[3] + 2 * margin) &
+      cv::Rect(0, 0, ids.cols, ids.rows);
   if (box.empty()) return;
   cv::Mat coverage;
   cv::resize(ids(box) == static_cast<double>(object.id), coverage, {}, zoom, zoom, cv::INTER_LINEAR);
@@ -131,9 +131,8 @@ void draw_strip(cv::Mat strip, const SequenceFrame& frame, const dot::Result& re
   strip.setTo(strip_colour);
   constexpr int gap = 24;
   int x = 14;
-  const std::array<std::pair<dot::State, const char*>, 3> legend{{{dot::State::Moving, "moving"},
-                                                                  {dot::State::Static, "static"},
-                                                                  {dot::State::NotObservable, "not observable"}}};
+  const std::array<std::pair<dot::State, const char*>, 3> legend{
+      {{dot::State::Moving, "moving"}, {dot::State::Static, "static"}, {dot::State::NotObservable, "not observable"}}};
   for (const auto& [state, name] : legend) {
     const Style& style = style_of(state);
     const cv::Rect swatch(x, 9, 18, 12);
@@ -145,9 +144,9 @@ void draw_strip(cv::Mat strip, const SequenceFrame& frame, const dot::Result& re
   }
 
   const dot::CameraResult& camera = result.camera;
-  const double step = std::sqrt(camera.T_cur_prev[3] * camera.T_cur_prev[3] +
-                                camera.T_cur_prev[7] * camera.T_cur_prev[7] +
-                                camera.T_cur_prev[11] * camera.T_cur_prev[11]);
+  const double step =
+      std::sqrt(camera.T_cur_prev[3] * camera.T_cur_prev[3] + camera.T_cur_prev[7] * camera.T_cur_prev[7] +
+                camera.T_cur_prev[11] * camera.T_cur_prev[11]);
   std::string motion = "camera " + format("%.1f m/s", result.interval > 0 ? step / result.interval : 0);
   if (camera.status == dot::CameraStatus::FirstFrame) motion = "first frame";
   if (camera.status == dot::CameraStatus::TooLittleDepth) motion = "camera: too little depth";

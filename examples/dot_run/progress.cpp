@@ -13,9 +13,8 @@ namespace runner {
 namespace {
 
 int count(const dot::Result& result, dot::State state) {
-  return static_cast<int>(std::count_if(result.objects.begin(), result.objects.end(), [&](const dot::ObjectResult& o) {
-    return o.area > 0 && o.state == state;
-  }));
+  return static_cast<int>(std::count_if(result.objects.begin(), result.objects.end(),
+                                        [&](const dot::ObjectResult& o) { return o.area > 0 && o.state == state; }));
 }
 
 double median(std::vector<double> values) {
@@ -39,8 +38,8 @@ void Progress::show(int done, const dot::Result& result, double total_ms) {
   if (!terminal_ && done % every != 0 && done != frames_) return;
   constexpr int width = 24;
   const int filled = width * done / frames_;
-  const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
-                          std::string(static_cast<std::size_t>(width - filled), '.');
+  const std::string bar =
+      std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(width - filled), '.');
   std::printf("%s[%s] %d/%d  %.1f ms  %d moving, %d static, %d not observable%s", terminal_ ? "\r" : "", bar.c_str(),
               done, frames_, total_ms, count(result, dot::State::Moving), count(result, dot::State::Static),
               count(result, dot::State::NotObservable), terminal_ ? "\033[K" : "\n");
@@ -58,7 +57,8 @@ void Summary::add(const dot::Result& result, double total_ms) {
 
 void Summary::print(const Arguments& arguments) const {
   const auto count_objects = [&](dot::State state) {
-    return std::count_if(last_decided_.begin(), last_decided_.end(), [&](auto& entry) { return entry.second == state; });
+    return std::count_if(last_decided_.begin(), last_decided_.end(),
+                         [&](auto& entry) { return entry.second == state; });
   };
   const long moving = count_objects(dot::State::Moving);
   const long standing = count_objects(dot::State::Static);
@@ -79,7 +79,8 @@ void Summary::print(const Arguments& arguments) const {
 
   const std::filesystem::path out = std::filesystem::absolute(arguments.out).lexically_normal();
   std::printf("results   %s\n", out.c_str());
-  std::printf("          labels/ instances/ %scamera.txt objects.csv timing.csv\n", arguments.overlay ? "overlay/ " : "");
+  std::printf("          labels/ instances/ %scamera.txt objects.csv timing.csv\n",
+              arguments.overlay ? "overlay/ " : "");
   if (!arguments.masks_out.empty())
     std::printf("masks     %s: mask_dot/ mask_all/\n",
                 std::filesystem::absolute(arguments.masks_out).lexically_normal().c_str());

@@ -28,8 +28,7 @@ bool is_image(const fs::path& path) { return path.extension() == ".png" || path.
 
 std::optional<int> frame_number(const fs::path& path) {
   const std::string stem = path.stem().string();
-  if (stem.empty() || stem.size() > 9 || stem.find_first_not_of("0123456789") != std::string::npos)
-    return std::nullopt;
+  if (stem.empty() || stem.size() > 9 || stem.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
   return std::stoi(stem);
 }
 
@@ -45,8 +44,7 @@ fs::path image_path(const fs::path& folder, int number) {
 std::size_t row_of(const fs::path& path, std::size_t rows, std::size_t images, std::size_t index, int number) {
   if (rows == images) return index;
   if (static_cast<std::size_t>(number) < rows) return static_cast<std::size_t>(number);
-  throw FileError(path.string() + ": has " + std::to_string(rows) + " lines for " + std::to_string(images) +
-                  " frames");
+  throw FileError(path.string() + ": has " + std::to_string(rows) + " lines for " + std::to_string(images) + " frames");
 }
 
 dot::CameraMotion camera_motion(const dot::SE3d& T_world_prev, const dot::SE3d& T_world_cur) {
@@ -136,7 +134,7 @@ void Sequence::read_intrinsics() {
       throw FileError(path.string() + ": " + names[i] + " must be a whole number up to 65535");
     values[i] = *number;
   }
-  intrinsics_ = {values[0], values[1], values[2],  values[3], static_cast<int>(values[4]), static_cast<int>(values[5]),
+  intrinsics_ = {values[0], values[1], values[2], values[3], static_cast<int>(values[4]), static_cast<int>(values[5]),
                  values[6]};
   fps_ = values[7];
 

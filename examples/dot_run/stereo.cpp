@@ -59,8 +59,8 @@ cv::Mat StereoDepth::compute(const cv::Mat& left, const cv::Mat& right) {
     const auto* of_right = mirrored.ptr<std::int16_t>(y);
     for (int x = 0; x < disparity.cols; ++x) {
       const int partner = x - (of_left[x] + subpixels / 2) / subpixels;
-      const bool agrees = of_left[x] > 0 && partner >= 0 &&
-                          std::abs(of_right[disparity.cols - 1 - partner] - of_left[x]) <= tolerance;
+      const bool agrees =
+          of_left[x] > 0 && partner >= 0 && std::abs(of_right[disparity.cols - 1 - partner] - of_left[x]) <= tolerance;
       if (!agrees) of_left[x] = 0;
     }
   }

@@ -98,8 +98,11 @@ accepts "settings" "$seq" --out "$out" --config "$seq/config"
 grep -q 'lidar' "$work/stdout" || fail "the depth line of intrinsics.txt is not used"
 
 fresh
-printf 'id,class,score\n1,person,0.9\n2,car,0.8\n' > "$seq/masks/000001.csv"
+{ echo id,class,score; seq -f '%.0f,person,0.9' 1 255; } > "$seq/masks/000001.csv"
 accepts "list of instances" "$seq" --out "$out" --always-dynamic person,dog
+grep -q ',1$' "$out/objects.csv" || fail "--always-dynamic has no effect"
+accepts "list of instances without the option" "$seq" --out "$out/2"
+! grep -q ',1$' "$out/2/objects.csv" || fail "objects are always dynamic without the option"
 accepts "help" --help
 grep -q -- '--mask-every' "$work/stdout" || fail "--help does not list the options"
 

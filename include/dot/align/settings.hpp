@@ -21,6 +21,7 @@ struct CameraSettings {
   double min_phi = 0.5;         ///< Pearson correlation
   double min_inliers = 0.35;    ///< share of the visible points
   double restart_margin = 0.005;///< a further start must win by this share of the cost
+  double search_speed = 45;     ///< m/s: reach of the starts while the speed is unknown
   double restart_shift = 0.8;   ///< metres: reach of the shifted starts along the least determined direction
 };
 

@@ -58,12 +58,8 @@ inline cv::Mat to_mat(ImageView<const std::uint32_t> ids) { return mat(ids); }
 namespace detail {
 
 inline ImageRef image_ref(const cv::Mat& image, PixelFormat format, double depth_units_per_metre = 1000) {
-  return {image.data,
-          image.cols,
-          image.rows,
-          static_cast<std::ptrdiff_t>(image.step[0]),
-          format,
-          depth_units_per_metre};
+  return {image.data, image.cols,           image.rows, static_cast<std::ptrdiff_t>(image.step[0]),
+          format,     depth_units_per_metre};
 }
 
 [[noreturn]] inline void throw_unsupported(const char* what, const cv::Mat& image, const char* accepted) {

@@ -100,8 +100,7 @@ Vector3<typename Derived::Scalar> log(const Eigen::MatrixBase<Derived>& R) {
   const S sign = q.w() < S(0) ? S(-1) : S(1);
   const S cosine = sign * q.w();
   const S squared = q.vec().squaredNorm();
-  if (squared < Eigen::NumTraits<S>::epsilon())
-    return (sign * S(2) / cosine * (S(1) - squared / (S(3) * cosine * cosine))) * q.vec();
+  if (squared < Eigen::NumTraits<S>::epsilon()) return (sign * S(2) / cosine) * q.vec();
   const S sine = std::sqrt(squared);
   return (sign * S(2) * std::atan2(sine, cosine) / sine) * q.vec();
 }

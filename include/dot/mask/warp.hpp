@@ -27,7 +27,8 @@ struct WarpedMask {
 
 /// Buffers of `warp`.
 struct WarpWorkspace {
-  /// The template's pixels in the current frame, with a border of one pixel; q = 0 where there is none.
+  /// The template's pixels in the current frame, with a border of one pixel; q = 0 and the rest finite where there is
+  /// none.
   Image<float> u, v;     ///< pixels
   Image<float> q;        ///< 1/m
   Image<float> scale;    ///< magnification, q over the template's
@@ -75,9 +76,11 @@ Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camer
   const int width = source.mask.width(), height = source.mask.height();
   const auto right = static_cast<float>(camera.width() - 1), bottom = static_cast<float>(camera.height() - 1);
   float u0 = right + kMaxReach, u1 = -kMaxReach, v0 = bottom + kMaxReach, v1 = -kMaxReach;
-  for (Image<float>* image : {&w.u, &w.v, &w.q, &w.scale}) image->resize(width + 2, height + 2);
-  w.q.fill(0);
-  w.row.resize(std::max(width, camera.width()), 3);
+  for (Image<float>* image : {&w.u, &w.v, &w.q, &w.scale}) {
+    image->resize(width + 2, height + 2);
+    image->fill(0);
+  }
+  w.row.resize(std::max(width + 2, camera.width()), 3);
   outside = 0;
   for (int y = 0; y < height; ++y) {
     const float* inverse_depth = source.inverse_depth.row(y);
@@ -86,7 +89,10 @@ Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camer
     map_row(T, camera, source.mask.x, source.mask.y + y, width, inverse_depth, u, v, z);
     for (int x = 0; x < width; ++x) {
       // Nearer than a thousandth of its former depth is as good as behind the camera.
-      if (!(inverse_depth[x] > 0) || !(z[x] > 1e-3f) || !std::isfinite(u[x]) || !std::isfinite(v[x])) continue;
+      if (!(inverse_depth[x] > 0) || !(z[x] > 1e-3f) || !std::isfinite(u[x]) || !std::isfinite(v[x])) {
+        u[x] = v[x] = 0;
+        continue;
+      }
       scale[x] = 1 / z[x];
       if (u[x] < -0.5f || v[x] < -0.5f || u[x] > right + 0.5f || v[x] > bottom + 0.5f) {
         outside += static_cast<double>(scale[x]) * scale[x];
@@ -104,9 +110,25 @@ Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camer
   return {begin(u0), begin(v0), end(u1, camera.width()), end(v1, camera.height())};
 }
 
+/// Adds half the larger of the distances from each moved pixel of a row to its two neighbours, `step` elements before
+/// and after; `a` is the coordinate along which they lie in the template. A neighbour whose depth differs much is on
+/// another surface; where there is none the magnification tells the size of the cell.
+inline void add_reach(const float* a, const float* b, const float* q, const float* scale, int step, int width,
+                      float* reach_a, float* reach_b) {
+  const float *a0 = a - step, *b0 = b - step, *q0 = q - step;
+  const float *a1 = a + step, *b1 = b + step, *q1 = q + step;
+  for (int x = 1; x < width - 1; ++x) {
+    const float before = std::abs(q0[x] - q[x]) < 0.2f * q[x] ? 1.0f : 0.0f;
+    const float after = std::abs(q1[x] - q[x]) < 0.2f * q[x] ? 1.0f : 0.0f;
+    const float da0 = before * std::abs(a0[x] - a[x]), da1 = after * std::abs(a1[x] - a[x]);
+    const float db0 = before * std::abs(b0[x] - b[x]), db1 = after * std::abs(b1[x] - b[x]);
+    reach_a[x] += ((da0 > da1 ? da0 : da1) + (1 - before) * (1 - after) * scale[x]) / 2;
+    reach_b[x] += (db0 > db1 ? db0 : db1) / 2;
+  }
+}
+
 /// Draws the moved pixels, each as the bounding box of the cell that reaches half way to its neighbours, so that there
-/// is no crack; the nearest surface wins. A neighbour whose depth differs much is on another surface; without any
-/// neighbour the magnification tells the size of the cell.
+/// is no crack; the nearest surface wins.
 inline void draw_surface(WarpWorkspace& w, const Box& box) {
   constexpr float margin = 0.02f;  // against rounding, where cells only touch
   // Makes coordinates positive, so that casts round down.
@@ -117,23 +139,13 @@ inline void draw_surface(WarpWorkspace& w, const Box& box) {
   for (int y = 1; y + 1 < w.q.height(); ++y) {
     const float *u = w.u.row(y), *v = w.v.row(y), *q = w.q.row(y), *scale = w.scale.row(y);
     float *reach_u = w.row.row(0), *reach_v = w.row.row(1);
-    for (int x = 1; x + 1 < width; ++x) {
-      float reach[2] = {margin, margin};
-      const float limit = 0.2f * q[x];
-      for (const int step : {1, width}) {
-        const bool before = std::abs(q[x - step] - q[x]) < limit, after = std::abs(q[x + step] - q[x]) < limit;
-        const float du = std::max(before ? std::abs(u[x - step] - u[x]) : 0, after ? std::abs(u[x + step] - u[x]) : 0);
-        const float dv = std::max(before ? std::abs(v[x - step] - v[x]) : 0, after ? std::abs(v[x + step] - v[x]) : 0);
-        const float lone = before || after ? 0 : scale[x];
-        reach[0] += (step == 1 ? std::max(du, lone) : du) / 2;
-        reach[1] += (step == 1 ? dv : std::max(dv, lone)) / 2;
-      }
-      reach_u[x - 1] = std::min(reach[0], kMaxReach);
-      reach_v[x - 1] = std::min(reach[1], kMaxReach);
-    }
+    std::fill_n(reach_u, width, margin);
+    std::fill_n(reach_v, width, margin);
+    add_reach(u, v, q, scale, 1, width, reach_u, reach_v);
+    add_reach(v, u, q, scale, width, width, reach_v, reach_u);
     for (int x = 1; x + 1 < width; ++x) {
       if (!(q[x] > 0)) continue;
-      const float du = reach_u[x - 1], dv = reach_v[x - 1];
+      const float du = std::min(reach_u[x], kMaxReach), dv = std::min(reach_v[x], kMaxReach);
       const int x0 = std::max(static_cast<int>(u[x] - du + offset) - offset + 1, box.x0) - box.x0;
       const int x1 = std::min(static_cast<int>(u[x] + du + offset) - offset + 1, box.x1) - box.x0;
       const int y0 = std::max(static_cast<int>(v[x] - dv + offset) - offset + 1, box.y0) - box.y0;

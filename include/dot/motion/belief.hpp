@@ -17,11 +17,14 @@ DOT_BEGIN_NAMESPACE
 /// that the object has if it moves.
 ///
 ///     stands: v ~ N(0, V + (0.35 v0)^2)
-///     moves:  v ~ N(m, P + V), the filter's prediction, mixed with a fresh broad prior N(0, S + V), S = prior_speed^2
+///     moves:  v ~ N(m, P + V), the filter's prediction, mixed with a fresh prior of any velocity
 ///
-/// Both carry a small share of a broad outlier class. What the broad prior credits to speeds inside |v| <= v0 is taken
-/// away again: such an object does not move. A Bayes factor of proper densities does not drift to *moves* where the
-/// velocity is poorly measured, which a ratio of maximum likelihoods does.
+/// Both carry a small share of a broad outlier class. The fresh prior is a mixture: slow and fast, in any direction, and
+/// along the direction that the fit determines least. Without the last, an object whose sideways velocity is
+/// well measured and zero would count as standing though it may well come straight towards the camera, as traffic does.
+/// What the prior credits to speeds inside |v| <= v0 is taken away again: such an object does not move. A Bayes factor
+/// of proper densities does not drift to *moves* where the velocity is poorly measured, which a ratio of maximum
+/// likelihoods does.
 struct Belief {
   double log_odds = 0;
   Vector3<double> velocity = Vector3<double>::Zero();    ///< if it moves; m/s, axes of the newest camera
@@ -46,15 +49,23 @@ struct Belief {
     const Vector3<double>& v = e.velocity;
     const Matrix3<double>& V = e.covariance;
     const Matrix3<double> I = Matrix3<double>::Identity();
-    const double speed2 = prior_variance(v0, s);
-    const double outlier = s.outliers * density(v, V + 4 * speed2 * I);
+    const double speed2 = sq(s.prior_speed * v0 / s.v0);  // near things are slow things on tables, far ones vehicles
+    const double outlier = s.outliers * density(v, V + 36 * speed2 * I);
 
     const double stands = (1 - s.outliers) * density(v, V + sq(0.35 * v0) * I) + outlier;
-    const double fresh = beyond(v, V, Vector3<double>::Zero(), speed2 * I, v0);
-    const double moves_fresh = density(v, V + speed2 * I) * fresh;
+    const Eigen::SelfAdjointEigenSolver<Matrix3<double>> eigen(V);
+    const Vector3<double> u = eigen.eigenvectors().col(2);
+    const Matrix3<double> weakest = u * u.transpose();
+    const Vector3<double> zero = Vector3<double>::Zero();
+    double moves_fresh = 0;
+    for (const double scale : {1.0, 25.0}) {  // variances of ordinary and of motorway speed
+      const Matrix3<double> any = scale * speed2 * I;
+      const Matrix3<double> pencil = scale * speed2 * weakest + sq(v0) * I;
+      moves_fresh += 0.25 * (hypothesis(v, V, zero, any, v0) + hypothesis(v, V, zero, pencil, v0));
+    }
     double moves = moves_fresh;
     if (has_velocity())
-      moves = 0.9 * density(v, V + covariance) * beyond(v, V, velocity, covariance, v0) + 0.1 * moves_fresh;
+      moves = 0.9 * hypothesis(v, V, velocity, covariance, v0) + 0.1 * moves_fresh;
     moves = (1 - s.outliers) * moves + outlier;
 
     const double cap = s.max_evidence_rate * e.interval / e.intervals;
@@ -63,7 +74,7 @@ struct Belief {
 
     // The filter: restarted where the fit contradicts it.
     if (has_velocity() && (v - velocity).dot((V + covariance).ldlt().solve(v - velocity)) > 25) covariance.setZero();
-    if (!has_velocity()) velocity.setZero(), covariance = speed2 * I;
+    if (!has_velocity()) velocity.setZero(), covariance = 25 * speed2 * I;
     const Matrix3<double> K = covariance * (covariance + V).inverse();
     velocity += K * (v - velocity);
     covariance = (I - K) * covariance;
@@ -73,23 +84,21 @@ struct Belief {
  private:
   static double sq(double x) { return x * x; }
 
-  /// Movers near the camera are slow things on tables, far ones are vehicles: the prior grows with v0.
-  static double prior_variance(double v0, const VelocitySettings& s) { return sq(s.prior_speed * v0 / s.v0); }
-
   static double density(const Vector3<double>& x, const Matrix3<double>& S) {
     const Eigen::LDLT<Matrix3<double>> ldlt(S);
     const double log_det = ldlt.vectorD().array().max(1e-300).log().sum();
     return std::exp(-0.5 * (x.dot(ldlt.solve(x)) + log_det + 3 * std::log(2 * 3.14159265358979323846)));
   }
 
-  /// P(|velocity| > v0 | measured) / P(|velocity| > v0) for the prior N(m, S); the ball is taken as the cube of the same
-  /// volume along the axes of each covariance.
-  static double beyond(const Vector3<double>& v, const Matrix3<double>& V, const Vector3<double>& m,
-                       const Matrix3<double>& S, double v0) {
+  /// Density of v under "the velocity is of N(m, S), and beyond v0": that of the Gaussian times
+  /// P(|velocity| > v0 | v) / P(|velocity| > v0); the ball is taken as the cube of the same volume along the axes of
+  /// each covariance.
+  static double hypothesis(const Vector3<double>& v, const Matrix3<double>& V, const Vector3<double>& m,
+                           const Matrix3<double>& S, double v0) {
     const Matrix3<double> K = S * (S + V).inverse();
     const double prior = 1 - inside(m, S, v0);
     const double posterior = 1 - inside(m + K * (v - m), S - K * S, v0);
-    return std::max(posterior, 1e-12) / std::max(prior, 1e-3);
+    return density(v - m, V + S) * std::max(posterior, 1e-12) / std::max(prior, 1e-3);
   }
 
   static double inside(const Vector3<double>& mean, const Matrix3<double>& S, double v0) {

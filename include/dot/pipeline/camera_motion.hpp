@@ -24,10 +24,11 @@ DOT_BEGIN_NAMESPACE
 struct CameraMotionEstimator {
   CameraSettings settings;
 
-  /// @param predicted T_c at constant velocity. @return the alignment; `covariance` is that of the left twist of T_c.
+  /// @param predicted T_c at constant velocity, if `known`; otherwise translations up to `search` metres along the axes
+  /// are tried. @return the alignment; `covariance` is that of the left twist of T_c.
   template <typename Camera, typename Aligner>
   Alignment estimate(const PointSet& points, const Pyramid& image, const Camera& camera, const SE3d& predicted,
-                     Aligner& aligner) const {
+                     bool known, double search, Aligner& aligner) const {
     const AlignProblem<Camera> problem{points, image, camera};
     const int top = std::min(points.levels, image.size()) - 1, fine = std::min(1, top);
     std::vector<Alignment> candidates;
@@ -36,16 +37,42 @@ struct CameraMotionEstimator {
     candidates.push_back(aligner.align(problem, {predicted, state.gain, state.offset}, fine));
     if (predicted.log().norm() > 1e-3) candidates.push_back(aligner.align(problem, {SE3d{}, state.gain, state.offset}, top));
 
+    if (!known)
+      for (const SE3d& start : searched(problem, search, state, aligner))
+        candidates.push_back(aligner.align(problem, {start, state.gain, state.offset}, top));
+
     const std::size_t unshifted = candidates.size();
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, fine));
-    for (std::size_t i = 0; i < std::min<std::size_t>(unshifted, 2); ++i)
+    for (std::size_t i = 0; i < unshifted; ++i)
       for (const AlignState& start : shifted(problem, candidates[i], fine, sigma, aligner))
         candidates.push_back(aligner.align(problem, start, fine));
     return best(problem, candidates, aligner);
   }
 
  private:
+  /// Of translations along each axis the three that fit best on a middle level, where their steps are a few pixels.
+  template <typename Camera, typename Aligner>
+  std::vector<SE3d> searched(const AlignProblem<Camera>& problem, double search, const AlignState& state,
+                             Aligner& aligner) const {
+    const int level = std::min({2, problem.points.levels - 1, problem.image.size() - 1});
+    const double sigma = aligner.intensity_sigma(problem, state, level);
+    const double reach = std::min(search, 0.5 * median_depth(problem.points));
+    std::vector<std::pair<double, SE3d>> found;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = -24; i <= 24; ++i) {
+        const SE3d start = SE3d::translation(Vector3<double>::Unit(axis) * reach * i / 24);
+        const double cost = aligner.rank(problem, {start, state.gain, state.offset}, level, sigma);
+        if (i != 0 && std::isfinite(cost)) found.push_back({cost, start});
+      }
+    const auto keep = static_cast<std::ptrdiff_t>(std::min<std::size_t>(found.size(), 3));
+    std::partial_sort(found.begin(), found.begin() + keep, found.end(),
+                      [](const auto& l, const auto& r) { return l.first < r.first; });
+    std::vector<SE3d> starts;
+    for (std::ptrdiff_t i = 0; i < keep; ++i) starts.push_back(found[static_cast<std::size_t>(i)].second);
+    return starts;
+  }
+
   /// The two best of the starts along the least determined direction; rotation, gain and offset follow the shift as the
   /// covariance says.
   template <typename Camera, typename Aligner>

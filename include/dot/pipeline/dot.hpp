@@ -73,6 +73,7 @@ class Dot {
     Matrix6<double> covariance = Matrix6<double>::Zero();
     Alignment alignment;
     Vector6<double> rate = Vector6<double>::Zero();  ///< twist per second, for the prediction
+    bool rate_known = false;
     bool known() const { return status == CameraStatus::Tracked || status == CameraStatus::FromHost; }
   };
   struct Observed {

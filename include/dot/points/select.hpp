@@ -47,7 +47,7 @@ struct Selector {
     if (x1 <= x0 || y1 <= y0) return;
     const Image<std::uint8_t>& grey = pyramid.levels[0];
     const int cell =
-        std::max(2, static_cast<int>(std::lround(std::sqrt((x1 - x0) * (y1 - y0) / std::max(1.0, 1.0 * budget)))));
+        std::max(1, static_cast<int>(std::lround(std::sqrt((x1 - x0) * (y1 - y0) / std::max(1.0, 1.0 * budget)))));
     // Twice the gradient, squared: central differences without their half.
     const int threshold = static_cast<int>(4 * settings.min_gradient * settings.min_gradient);
     for (int cy = y0; cy < y1; cy += cell) {

@@ -68,7 +68,8 @@ void run(const fs::path& sequence, const fs::path& out) {
   dot::Intrinsics camera;
   std::ifstream intrinsics(sequence / "intrinsics.txt");
   double fps = 0;
-  intrinsics >> camera.fx >> camera.fy >> camera.cx >> camera.cy >> camera.width >> camera.height >> camera.baseline >> fps;
+  intrinsics >> camera.fx >> camera.fy >> camera.cx >> camera.cy >> camera.width >> camera.height >> camera.baseline >>
+      fps;
   if (!intrinsics) throw std::runtime_error("cannot read " + (sequence / "intrinsics.txt").string());
 
   dot::Tracker tracker(camera);

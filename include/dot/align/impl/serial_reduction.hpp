@@ -9,12 +9,20 @@
 
 DOT_BEGIN_NAMESPACE
 
+/// H += w J J' (lower triangle), g += w r J.
+inline void add(const float (&J)[8], float w, float r, NormalEquations& sums) {
+  for (int c = 0; c < 8; ++c) {
+    const double wJ = static_cast<double>(w * J[c]);
+    sums.g[c] += wJ * static_cast<double>(r);
+    for (int row = c; row < 8; ++row) sums.H(row, c) += wJ * static_cast<double>(J[row]);
+  }
+}
+
 template <bool kDerivatives, typename Camera>
 int SerialReduction::run(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
                          const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
                          const std::uint8_t* excluded, std::vector<PointResidual>& out, NormalEquations* sums) {
   using Vector3f = Eigen::Matrix<float, 3, 1>;
-  using Vector8f = Eigen::Matrix<float, 8, 1>;
   const int n = points.size();
   out.resize(static_cast<std::size_t>(n));
   const Matrix3<float> R = state.T.R.cast<float>();
@@ -82,40 +90,33 @@ int SerialReduction::run(const PointSet& points, int level, const Camera& camera
 
     if constexpr (kDerivatives) {
       // dX~/dxi = [q I, -[X~]x]
-      Vector8f J;
-      J << q * dr_dX, X.cross(dr_dX), -reference[k], -1.f;
+      const Vector3f turn = X.cross(dr_dX);
+      const float J[8] = {q * dr_dX.x(), q * dr_dX.y(), q * dr_dX.z(), turn.x(), turn.y(), turn.z(), -reference[k], -1};
       const float s2 = s2_intensity + p.extra;
       const float e = p.r / std::sqrt(s2);
       const float w = huber_weight(e, noise.huber) / s2;
       sums->cost += static_cast<double>(huber_cost(e, noise.huber));
-      const Vector8 Jd = J.cast<double>();
-      sums->H.selfadjointView<Eigen::Lower>().rankUpdate(Jd, static_cast<double>(w));
-      sums->g += static_cast<double>(w * p.r) * Jd;
+      add(J, w, p.r, *sums);
       if (use_depth) {
-        const Vector8 per_depth = static_cast<double>(w * dr_dq) * Jd;
-        sums->modes[0] += per_depth;
-        sums->modes[1] += static_cast<double>((points.u[k] - u0) / u_half) * per_depth;
-        sums->modes[2] += static_cast<double>((points.v[k] - v0) / v_half) * per_depth;
+        const float mode[3] = {1, (points.u[k] - u0) / u_half, (points.v[k] - v0) / v_half};
+        for (std::size_t m = 0; m < 3; ++m)
+          for (int c = 0; c < 8; ++c) sums->modes[m][c] += static_cast<double>(w * dr_dq * mode[m] * J[c]);
         if (p.has_depth && depth.weight > 0) {
           // r_depth = measured - q / Z~; the predicted q' = q / Z~ moves by -q' dZ~ / Z~.
           const float f = qi / X.z();
-          Vector8f Jq = Vector8f::Zero();
-          Jq[2] = f * q;
-          Jq[3] = f * X.y();
-          Jq[4] = -f * X.x();
+          const float Jq[8] = {0, 0, f * q, f * X.y(), -f * X.x(), 0, 0, 0};
           const float eq = p.r_depth / depth.sigma;
           const float wq = depth.weight * huber_weight(eq, noise.huber) / (depth.sigma * depth.sigma);
-          const Vector8 Jqd = Jq.cast<double>();
-          sums->H.selfadjointView<Eigen::Lower>().rankUpdate(Jqd, static_cast<double>(wq));
-          sums->g += static_cast<double>(wq * p.r_depth) * Jqd;
+          add(Jq, wq, p.r_depth, *sums);
           sums->cost += static_cast<double>(depth.weight * huber_cost(eq, noise.huber));
-          sums->modes[3] += static_cast<double>(wq) * Jqd;
+          for (int c = 2; c < 5; ++c) sums->modes[3][c] += static_cast<double>(wq * Jq[c]);
         }
       }
     }
   }
   if (sums) {
-    sums->H.template triangularView<Eigen::StrictlyUpper>() = sums->H.transpose();
+    for (int c = 0; c < 8; ++c)
+      for (int row = c + 1; row < 8; ++row) sums->H(c, row) = sums->H(row, c);
     sums->seen = seen;
     sums->inside = seen + sums->occluded;
     sums->cost = seen ? sums->cost / seen : 0;

@@ -95,6 +95,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
   if (current_.dt <= 0) {
     c.status = CameraStatus::FirstFrame;
     c.T_cur_prev = {};
+    c.rate_known = false;
     return;
   }
   if (frame.camera_motion) {
@@ -104,7 +105,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
   } else if (background_.size() < options_.camera.min_points) {
     c.status = CameraStatus::TooLittleDepth;
   } else {
-    c.alignment = camera_estimator.estimate(background_, current_.pyramid, camera_, c.T_cur_prev, aligner);
+    c.alignment = camera_estimator.estimate(background_, current_.pyramid, camera_, c.T_cur_prev, c.rate_known,
+                                              options_.camera.search_speed * current_.dt, aligner);
     const Alignment& a = c.alignment;
     const bool ok = a.covariance.allFinite() && a.state.T.t.allFinite() && a.phi >= options_.camera.min_phi &&
                     a.seen >= options_.camera.min_points && a.inliers >= options_.camera.min_inliers * a.seen;
@@ -114,6 +116,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
       c.covariance = a.covariance.template topLeftCorner<6, 6>();
     }
   }
+  c.rate_known = c.known();
   if (c.known()) c.rate = c.T_cur_prev.log() / current_.dt;
 }
 

@@ -68,7 +68,7 @@ static void draw(double t) {
       const double ray[3] = {(u - cx) / focal, (v - cy) / focal, 1};
       // The wall: z = 4 + 0.3 x - 0.2 y.
       double z = (4 + 0.3 * camera[0] - 0.2 * camera[1] - camera[2]) / (1 - 0.3 * ray[0] + 0.2 * ray[1]);
-      double p[3], q[3];
+      double p[3], q[3] = {0, 0, 0};
       for (k = 0; k < 3; ++k) p[k] = camera[k] + z * ray[k];
       ids[v][u] = 0;
       for (k = 0; k < BOXES; ++k) {

@@ -82,7 +82,7 @@ TYPED_TEST(So3, ExpIsTheMatrixExponential) {
     Matrix3<double> power = Matrix3<double>::Identity();
     Matrix3<double> sum = power;
     for (int k = 1; k < 40; ++k) sum += power = power * W / k;
-    EXPECT_TRUE(matrices_match(so3::exp(w), sum.cast<S>(), tolerance<S>)) << w.transpose();
+    EXPECT_TRUE(matrices_match(so3::exp(w).template cast<double>(), sum, double{tolerance<S>})) << w.transpose();
   }
 }
 

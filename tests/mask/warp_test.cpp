@@ -171,6 +171,27 @@ TEST(Warp, ApproachLeavesNoCracks) {
   check_plane({310, 235, 60, 50}, motion(0, 0, -5.5), kSlanted);
 }
 
+TEST(Warp, ApproachMagnifiesTheOutlineItself) {
+  // The outline is where the interpolated mask crosses one half: neither grown nor shrunk.
+  const MaskTemplate source = make(
+      [](int u, int v) {
+        return Ellipse{310, 235, 75, 55}.holds(u, v);
+      },
+      [](int, int) { return 0.1; });
+  EXPECT_NEAR(warp(source, motion(0, 0, -6)).mask.area / (6.25 * source.mask.area), 1, 0.005);
+
+  // Three times as near, a lone pixel is a cross and a line of one pixel is three pixels thick.
+  const MaskTemplate thin =
+      make([](int u, int v) { return (u == 300 && v == 200) || (v == 250 && u > 280 && u < 340); },
+           [](int, int) { return 0.1; });
+  const WarpedMask found = warp(thin, motion(0, 0, -20.0 / 3));
+  for (int v = 100; v < 240; ++v)
+    for (int u = 200; u < 440; ++u)
+      ASSERT_EQ(found.mask.at(u, v), std::abs(u - 260) + std::abs(v - 120) < 2) << u << ' ' << v;
+  for (int v = 240; v < 300; ++v)
+    for (int u = 210; u < 370; ++u) ASSERT_EQ(found.mask.at(u, v), v >= 269 && v <= 271) << u << ' ' << v;
+}
+
 TEST(Warp, FollowsRotations) {
   const Ellipse outline{320, 240, 110, 60};
   for (const auto& n : {kFacing, kSlanted}) {
@@ -190,6 +211,9 @@ TEST(Warp, KeepsTheHalfInsideTheImage) {
   EXPECT_NEAR(found.expected_area, M_PI * 80 * 60, 0.02 * M_PI * 80 * 60);
   for (const SE3d& T : {motion(8, 0, 0), motion(0, -6, 0), motion(0, 6, 0), motion(6, 6, -2)})
     check_plane({320, 240, 80, 60}, T, kFacing);
+  const WarpedMask near = check_plane({320, 240, 80, 60}, motion(4, 0, -5), kFacing);
+  EXPECT_NEAR(near.inside_area / near.expected_area, 0.5, 0.02);
+  EXPECT_NEAR(near.expected_area, 4 * M_PI * 80 * 60, 0.02 * 4 * M_PI * 80 * 60);
 }
 
 TEST(Warp, IsEmptyOutsideTheImage) {

@@ -64,7 +64,7 @@ TYPED_TEST(PinholeOf, JacobianIsTheDerivative) {
             static_cast<S>(depth) * camera.unproject(Vector2<S>(static_cast<S>(u), static_cast<S>(v)));
         Eigen::Matrix<S, 2, 3> J;
         const Vector2<S> pixel = camera.project(X, &J);
-        EXPECT_EQ(pixel, camera.project(X));
+        EXPECT_LE((pixel - camera.project(X)).norm(), S(4000) * Eigen::NumTraits<S>::epsilon());
         EXPECT_TRUE(jacobian_matches(J, [&](const Vector3<S>& p) { return camera.project(p); }, X, check));
       }
   }

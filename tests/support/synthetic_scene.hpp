@@ -8,14 +8,12 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <random>
 #include <vector>
 
 #include "dot/camera/pinhole.hpp"
 #include "dot/image/image.hpp"
-#include "dot/image/pyramid.hpp"
 #include "dot/lie/se3.hpp"
-#include "dot/points/point_set.hpp"
+#include "support/random.hpp"
 
 /// @file
 /// Scenes whose images, depth and motion are known exactly: textured rectangles, ray-traced without approximation.
@@ -23,29 +21,6 @@
 /// same seed gives the same pixels everywhere: nothing here depends on a library's random distributions.
 
 namespace dot::test {
-
-/// Uniform and normal numbers, the same with every standard library.
-class Random {
- public:
-  explicit Random(unsigned seed) : bits_(seed) {}
-
-  /// In [low, high).
-  double uniform(double low = 0, double high = 1) {
-    return low + (high - low) * (static_cast<double>(bits_()) / 4294967296.0);
-  }
-  /// Of mean 0 and the given standard deviation (Box and Muller 1958).
-  double normal(double sigma = 1) {
-    const double radius = std::sqrt(-2 * std::log(1 - uniform()));
-    return sigma * radius * std::cos(uniform(0, 6.283185307179586));
-  }
-  Vector3<double> normal3(double sigma = 1) {
-    const double x = normal(sigma), y = normal(sigma);
-    return {x, y, normal(sigma)};
-  }
-
- private:
-  std::mt19937 bits_;
-};
 
 /// Grey values as an analytic, band-limited function of a point of a surface: 128 plus sines of random directions and
 /// phases, of wavelengths from `shortest` to `longest` metres. Keep the shortest above about six pixels in the image,
@@ -169,13 +144,15 @@ struct Scene {
       const Quad* quad;
       std::uint32_t id;
       Vector3<double> centre, normal, a, b;  // in camera axes; a and b over their squared length
+      double a_length, b_length;
     };
     std::vector<Placed> placed;
     for (const Body& body : bodies) {
       const SE3d T = T_world_camera.inverse() * body.T_world_body;
       for (const Quad& quad : body.quads) {
         const Vector3<double> a = T.R * quad.a, b = T.R * quad.b;
-        placed.push_back({&quad, body.id, T * quad.centre, a.cross(b), a / a.squaredNorm(), b / b.squaredNorm()});
+        placed.push_back({&quad, body.id, T * quad.centre, a.cross(b), a / a.squaredNorm(), b / b.squaredNorm(),
+                          a.norm(), b.norm()});
       }
     }
     Rendering out;
@@ -185,21 +162,19 @@ struct Scene {
     for (int v = 0; v < camera.height(); ++v)
       for (int u = 0; u < camera.width(); ++u) {
         const Vector3<double> ray = camera.unproject(Vector2<double>(u, v));
-        double nearest = std::numeric_limits<double>::infinity(), value = 0;
-        std::uint32_t id = 0;
+        double nearest = std::numeric_limits<double>::infinity(), s = 0, t = 0;
+        const Placed* hit = nullptr;
         for (const Placed& p : placed) {
           const double z = p.normal.dot(p.centre) / p.normal.dot(ray);  // the ray's own z is 1
           if (!(z > 1e-3 && z < nearest)) continue;
           const Vector3<double> on_quad = z * ray - p.centre;
-          const double s = p.a.dot(on_quad), t = p.b.dot(on_quad);
-          if (std::abs(s) > 1 || std::abs(t) > 1) continue;
-          nearest = z;
-          value = p.quad->texture(s * p.quad->a.norm(), t * p.quad->b.norm());
-          id = p.id;
+          const double along_a = p.a.dot(on_quad), along_b = p.b.dot(on_quad);
+          if (std::abs(along_a) > 1 || std::abs(along_b) > 1) continue;
+          nearest = z, s = along_a, t = along_b, hit = &p;
         }
-        out.intensity(u, v) = static_cast<float>(value);
-        out.depth(u, v) = std::isfinite(nearest) ? static_cast<float>(nearest) : 0.f;
-        out.ids(u, v) = id;
+        out.intensity(u, v) = hit ? static_cast<float>(hit->quad->texture(s * hit->a_length, t * hit->b_length)) : 0.f;
+        out.depth(u, v) = hit ? static_cast<float>(nearest) : 0.f;
+        out.ids(u, v) = hit ? hit->id : 0;
       }
     out.round();
     return out;
@@ -236,7 +211,8 @@ inline Rendering degraded(const Rendering& exact, const Degradation& d) {
       out.intensity(x, y) = static_cast<float>(d.gain * static_cast<double>(exact.intensity(x, y)) + d.offset);
       if (d.noise > 0) out.intensity(x, y) += static_cast<float>(random.normal(d.noise));
       float& z = out.depth(x, y);
-      if (z > 0) {
+      const bool off = d.depth_noise > 0 || !d.depth_bias.empty();
+      if (z > 0 && off) {
         double q = 1 / static_cast<double>(z) + bias_of(exact.ids(x, y));
         if (d.depth_noise > 0) q += random.normal(d.depth_noise);
         z = q > 0 ? static_cast<float>(1 / q) : 0.f;
@@ -248,30 +224,6 @@ inline Rendering degraded(const Rendering& exact, const Degradation& d) {
     }
   out.round();
   return out;
-}
-
-/// Points with the depth of the rendering, one every `step` pixels where accept(x, y) holds; their reference
-/// intensities are those of `pyramid`, level by level. `sigma_q` is what the points claim of their depth, 1/m.
-template <typename Camera, typename Accept>
-PointSet exact_points(const Rendering& view, const Camera& camera, const Pyramid& pyramid, int step, Accept&& accept,
-                      float sigma_q = 0) {
-  PointSet points;
-  points.levels = std::min(pyramid.size(), PointSet::kMaxLevels);
-  const int border = 3 << (points.levels - 1);
-  for (int y = border; y < view.depth.height() - border; y += step)
-    for (int x = border; x < view.depth.width() - border; x += step) {
-      if (!(view.depth(x, y) > 0) || !accept(x, y)) continue;
-      const Vector3<double> ray = camera.unproject(Vector2<double>(x, y));
-      points.push(static_cast<float>(x), static_cast<float>(y), static_cast<float>(ray.x()),
-                  static_cast<float>(ray.y()), 1 / view.depth(x, y), sigma_q);
-      for (int l = 0; l < points.levels; ++l) {
-        const float scale = 1.f / static_cast<float>(1 << l);
-        const auto at = [&](int p) { return (static_cast<float>(p) + 0.5f) * scale - 0.5f; };
-        const auto k = static_cast<std::size_t>(l);
-        points.intensity[k].push_back(sample(pyramid.levels[k], at(x), at(y)).value);
-      }
-    }
-  return points;
 }
 
 }  // namespace dot::test

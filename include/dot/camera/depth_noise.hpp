@@ -37,7 +37,7 @@ struct DepthNoise {
     switch (settings.source) {
       case DepthSource::Stereo: return settings.stereo_sigma_px / focal_baseline;
       case DepthSource::Rgbd: return settings.rgbd_sigma + 1e-3 * q;
-      case DepthSource::Lidar: return (settings.lidar_sigma * q + 0.003) * q;
+      case DepthSource::Lidar: return (settings.lidar_sigma * q + settings.lidar_relative) * q;
       case DepthSource::Unknown: break;
     }
     return settings.unknown_relative * q;
@@ -46,7 +46,7 @@ struct DepthNoise {
     switch (settings.source) {
       case DepthSource::Stereo: return settings.stereo_common_px / focal_baseline;
       case DepthSource::Rgbd: return settings.rgbd_common + 5e-4 * q;
-      case DepthSource::Lidar: return (settings.lidar_common * q + 0.002) * q;
+      case DepthSource::Lidar: return (settings.lidar_common * q + 0.2 * settings.lidar_relative) * q;
       case DepthSource::Unknown: break;
     }
     return 0.5 * settings.unknown_relative * q;

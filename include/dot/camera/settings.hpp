@@ -17,6 +17,7 @@ struct DepthNoiseSettings {
   double rgbd_sigma = 0.002;       ///< metres at 1 m; grows with the square of the depth
   double rgbd_common = 0.001;      ///< metres at 1 m, shared by an object's pixels
   double lidar_sigma = 0.03;       ///< metres
+  double lidar_relative = 0.01;    ///< share of the inverse depth: interpolation between the beams
   double lidar_common = 0.01;      ///< metres, shared
   double unknown_relative = 0.01;  ///< share of the inverse depth (per pixel), until measured
 };

@@ -39,19 +39,21 @@ struct CameraMotionEstimator {
 
     if (!known)
       for (const SE3d& start : searched(problem, search, state, aligner))
-        candidates.push_back(aligner.align(problem, {start, state.gain, state.offset}, top));
+        candidates.push_back(aligner.align(problem, {start, state.gain, state.offset}, fine));
 
     const std::size_t unshifted = candidates.size();
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, fine));
-    for (std::size_t i = 0; i < unshifted; ++i)
+    for (std::size_t i = 0; i < unshifted; ++i) {
+      if (i > 0 && (candidates[i].state.T.t - candidates[0].state.T.t).norm() < 1e-2) continue;
       for (const AlignState& start : shifted(problem, candidates[i], fine, sigma, aligner))
         candidates.push_back(aligner.align(problem, start, fine));
+    }
     return best(problem, candidates, aligner);
   }
 
  private:
-  /// Of translations along each axis the three that fit best on a middle level, where their steps are a few pixels.
+  /// Of translations along each axis the four that fit best on a middle level, where their steps are a few pixels.
   template <typename Camera, typename Aligner>
   std::vector<SE3d> searched(const AlignProblem<Camera>& problem, double search, const AlignState& state,
                              Aligner& aligner) const {
@@ -65,7 +67,7 @@ struct CameraMotionEstimator {
         const double cost = aligner.rank(problem, {start, state.gain, state.offset}, level, sigma);
         if (i != 0 && std::isfinite(cost)) found.push_back({cost, start});
       }
-    const auto keep = static_cast<std::ptrdiff_t>(std::min<std::size_t>(found.size(), 3));
+    const auto keep = static_cast<std::ptrdiff_t>(std::min<std::size_t>(found.size(), 4));
     std::partial_sort(found.begin(), found.begin() + keep, found.end(),
                       [](const auto& l, const auto& r) { return l.first < r.first; });
     std::vector<SE3d> starts;
@@ -73,8 +75,8 @@ struct CameraMotionEstimator {
     return starts;
   }
 
-  /// The two best of the starts along the least determined direction; rotation, gain and offset follow the shift as the
-  /// covariance says.
+  /// The two best of the starts along the least determined direction, on the road that of travel: as pure translations,
+  /// and with rotation, gain and offset following as the covariance says.
   template <typename Camera, typename Aligner>
   std::vector<AlignState> shifted(const AlignProblem<Camera>& problem, const Alignment& a, int level, double sigma,
                                   Aligner& aligner) const {
@@ -82,14 +84,18 @@ struct CameraMotionEstimator {
     const Eigen::SelfAdjointEigenSolver<Matrix3<double>> eigen(C);
     const Vector3<double> direction = eigen.eigenvectors().col(2);
     const Vector8 follow = a.covariance.leftCols<3>() * C.ldlt().solve(direction);
+    Vector8 alone = Vector8::Zero();
+    alone.head<3>() = direction;
     if (!follow.allFinite()) return {};
     std::vector<std::pair<double, AlignState>> starts;
     const double reach = std::min(settings.restart_shift, 0.1 * median_depth(problem.points));
-    for (const double s : {-1.0, -0.5, -0.25, 0.25, 0.5, 1.0}) {
-      const Vector8 x = s * reach * follow;
-      const AlignState start{SE3d::exp(x.head<6>()) * a.state.T, a.state.gain + x[6], a.state.offset + x[7]};
-      starts.push_back({aligner.rank(problem, start, level, sigma), start});
-    }
+    for (const Vector8& x : {alone, follow})
+      for (int i = -6; i <= 6; ++i) {
+        if (i == 0) continue;
+        const Vector8 shift = reach * i / 6 * x;
+        const AlignState start{SE3d::exp(shift.head<6>()) * a.state.T, a.state.gain + shift[6], a.state.offset + shift[7]};
+        starts.push_back({aligner.rank(problem, start, level, sigma), start});
+      }
     std::partial_sort(starts.begin(), starts.begin() + 2, starts.end(),
                       [](const auto& l, const auto& r) { return l.first < r.first; });
     return {starts[0].second, starts[1].second};

@@ -55,6 +55,7 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(depth_noise.rgbd_sigma);
   DOT_OPTION(depth_noise.rgbd_common);
   DOT_OPTION(depth_noise.lidar_sigma);
+  DOT_OPTION(depth_noise.lidar_relative);
   DOT_OPTION(depth_noise.lidar_common);
   DOT_OPTION(depth_noise.unknown_relative);
   DOT_OPTION(object.min_points);

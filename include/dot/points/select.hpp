@@ -46,8 +46,13 @@ struct Selector {
     const int y0 = std::max(box.y, border), y1 = std::min(box.y + box.height, inverse_depth.height - border);
     if (x1 <= x0 || y1 <= y0) return;
     const Image<std::uint8_t>& grey = pyramid.levels[0];
-    const int cell =
-        std::max(1, static_cast<int>(std::lround(std::sqrt((x1 - x0) * (y1 - y0) / std::max(1.0, 1.0 * budget)))));
+    // The budget is for the area that may have points at all.
+    const int step = (x1 - x0) * (y1 - y0) > 20000 ? 4 : 1;
+    int area = 0;
+    for (int y = y0; y < y1; y += step)
+      for (int x = x0; x < x1; x += step) area += inverse_depth(x, y) > 0 && accept(x, y);
+    area *= step * step;
+    const int cell = std::max(1, static_cast<int>(std::lround(std::sqrt(area / std::max(1.0, 1.0 * budget)))));
     // Twice the gradient, squared: central differences without their half.
     const int threshold = static_cast<int>(4 * settings.min_gradient * settings.min_gradient);
     for (int cy = y0; cy < y1; cy += cell) {

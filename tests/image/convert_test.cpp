@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/image/convert.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+#include "support/random.hpp"
+
+namespace {
+
+using dot::Image;
+using dot::ImageRef;
+using dot::PixelFormat;
+
+/// Random pixels of a colour format, each row followed by bytes that belong to no pixel.
+struct Coloured {
+  static constexpr int width = 13, height = 7, padding = 5;
+  std::vector<std::uint8_t> bytes;
+  ImageRef ref;
+
+  Coloured(PixelFormat format, unsigned seed) {
+    dot::test::Random random(seed);
+    const int stride = width * dot::bytes_per_pixel(format) + padding;
+    bytes.resize(static_cast<std::size_t>(stride * height));
+    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.uniform(0, 256));
+    ref = {bytes.data(), width, height, stride, format};
+  }
+  std::uint8_t channel(int x, int y, int c) const {
+    return bytes[static_cast<std::size_t>(y * ref.stride + x * dot::bytes_per_pixel(ref.format) + c)];
+  }
+};
+
+/// Luminance of ITU-R BT.601.
+double luminance(double red, double green, double blue) { return 0.299 * red + 0.587 * green + 0.114 * blue; }
+
+struct ColourOrder {
+  PixelFormat format;
+  int red, green, blue;
+};
+
+class ToGrey : public ::testing::TestWithParam<ColourOrder> {};
+
+TEST_P(ToGrey, WeighsTheRightChannels) {
+  const ColourOrder order = GetParam();
+  const Coloured image(order.format, 11);
+  Image<std::uint8_t> grey;
+  dot::to_grey(image.ref, grey);
+  ASSERT_EQ(grey.width(), Coloured::width);
+  ASSERT_EQ(grey.height(), Coloured::height);
+  for (int y = 0; y < grey.height(); ++y)
+    for (int x = 0; x < grey.width(); ++x) {
+      const double expected =
+          luminance(image.channel(x, y, order.red), image.channel(x, y, order.green), image.channel(x, y, order.blue));
+      EXPECT_NEAR(grey(x, y), expected, 1.0) << x << ", " << y;  // one: rounding, in fixed point
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, ToGrey,
+                         ::testing::Values(ColourOrder{PixelFormat::Bgr8, 2, 1, 0}, ColourOrder{PixelFormat::Rgb8, 0, 1, 2},
+                                           ColourOrder{PixelFormat::Bgra8, 2, 1, 0}));
+
+TEST(ToGreyOfGrey, IsACopy) {
+  const Coloured image(PixelFormat::Grey8, 12);
+  Image<std::uint8_t> grey(100, 90);  // of another frame
+  dot::to_grey(image.ref, grey);
+  ASSERT_EQ(grey.width(), Coloured::width);
+  ASSERT_EQ(grey.height(), Coloured::height);
+  for (int y = 0; y < grey.height(); ++y)
+    for (int x = 0; x < grey.width(); ++x) EXPECT_EQ(grey(x, y), image.channel(x, y, 0));
+}
+
+TEST(ToGreyOfColour, IgnoresAlpha) {
+  Coloured image(PixelFormat::Bgra8, 13);
+  Image<std::uint8_t> before, after;
+  dot::to_grey(image.ref, before);
+  for (int y = 0; y < Coloured::height; ++y)
+    for (int x = 0; x < Coloured::width; ++x) {
+      std::uint8_t& alpha = image.bytes[static_cast<std::size_t>(y * image.ref.stride + x * 4 + 3)];
+      alpha = static_cast<std::uint8_t>(255 - alpha);
+    }
+  dot::to_grey(image.ref, after);
+  for (int y = 0; y < Coloured::height; ++y)
+    for (int x = 0; x < Coloured::width; ++x) EXPECT_EQ(before(x, y), after(x, y));
+}
+
+TEST(ToInverseDepth, OfMetres) {
+  const std::vector<float> metres{0.5f, 1, 2, 8, 79.9f, 3};
+  Image<float> q;
+  EXPECT_EQ(dot::to_inverse_depth({metres.data(), 3, 2, 12, PixelFormat::DepthF32}, 80, q), 6);
+  for (int i = 0; i < 6; ++i) EXPECT_FLOAT_EQ(q(i % 3, i / 3), 1 / metres[static_cast<std::size_t>(i)]);
+}
+
+TEST(ToInverseDepth, WhatIsNoMeasurementIsZero) {
+  const float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<float> metres{0, -0.f, -1, -infinity, infinity, nan, -nan, 80, 80.1f, 1e30f, 40};
+  Image<float> q;
+  const int width = static_cast<int>(metres.size());
+  EXPECT_EQ(dot::to_inverse_depth({metres.data(), width, 1, width * 4, PixelFormat::DepthF32}, 80, q), 1);
+  for (int x = 0; x + 1 < width; ++x) EXPECT_EQ(q(x, 0), 0) << metres[static_cast<std::size_t>(x)];
+  EXPECT_FLOAT_EQ(q(width - 1, 0), 0.025f);
+}
+
+TEST(ToInverseDepth, SixteenBitsHaveTheirUnit) {
+  const std::vector<std::uint16_t> values{0, 500, 2560, 65535};
+  Image<float> q;
+  ImageRef depth{values.data(), 4, 1, 8, PixelFormat::DepthU16};
+  EXPECT_EQ(dot::to_inverse_depth(depth, 80, q), 3);  // 1000 a metre by default
+  EXPECT_EQ(q(0, 0), 0);
+  EXPECT_FLOAT_EQ(q(1, 0), 2);
+  EXPECT_FLOAT_EQ(q(2, 0), 1000.f / 2560);
+  EXPECT_FLOAT_EQ(q(3, 0), 1000.f / 65535);
+  depth.depth_units_per_metre = 256;
+  EXPECT_EQ(dot::to_inverse_depth(depth, 80, q), 2);
+  EXPECT_FLOAT_EQ(q(1, 0), 256.f / 500);
+  EXPECT_FLOAT_EQ(q(2, 0), 0.1f);
+  EXPECT_EQ(q(3, 0), 0);  // 256 m, too far
+}
+
+TEST(ToInverseDepth, ObeysTheStride) {
+  const std::vector<float> metres{1, 2, -7, 4, 5, -7};
+  Image<float> q;
+  EXPECT_EQ(dot::to_inverse_depth({metres.data(), 2, 2, 12, PixelFormat::DepthF32}, 80, q), 4);
+  EXPECT_FLOAT_EQ(q(0, 1), 0.25f);
+  EXPECT_FLOAT_EQ(q(1, 1), 0.2f);
+  const std::vector<std::uint16_t> values{100, 200, 9, 9, 400, 500, 9, 9};
+  EXPECT_EQ(dot::to_inverse_depth({values.data(), 2, 2, 8, PixelFormat::DepthU16, 100}, 80, q), 4);
+  EXPECT_FLOAT_EQ(q(0, 1), 0.25f);
+  EXPECT_FLOAT_EQ(q(1, 1), 0.2f);
+}
+
+}  // namespace

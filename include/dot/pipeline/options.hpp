@@ -35,6 +35,7 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(selection.object_points);
   DOT_OPTION(selection.min_object_pixels);
   DOT_OPTION(selection.min_gradient);
+  DOT_OPTION(selection.object_gradient);
   DOT_OPTION(selection.max_depth);
   DOT_OPTION(selection.window_radius);
   DOT_OPTION(align.max_levels);

@@ -37,9 +37,10 @@ struct Selector {
 
   /// Appends up to about `budget` points.
   /// @param accept (x, y) -> bool, may the pixel be a point; @param support (x, y) -> bool, may its depth be used.
+  /// @param min_gradient grey values per pixel.
   /// @param shared a plane for all points (distant object), or null.
   template <typename Accept, typename Support>
-  void operator()(const Box& box, int budget, int radius, Accept&& accept, Support&& support, const PlaneFit* shared,
+  void operator()(const Box& box, int budget, int radius, double min_gradient, Accept&& accept, Support&& support, const PlaneFit* shared,
                   int shared_u, int shared_v, PointSet& points) const {
     const int border = 4;  // the samplers' and the blur's reach
     const int x0 = std::max(box.x, border), x1 = std::min(box.x + box.width, inverse_depth.width - border);
@@ -54,7 +55,7 @@ struct Selector {
     area *= step * step;
     const int cell = std::max(1, static_cast<int>(std::lround(std::sqrt(area / std::max(1.0, 1.0 * budget)))));
     // Twice the gradient, squared: central differences without their half.
-    const int threshold = static_cast<int>(4 * settings.min_gradient * settings.min_gradient);
+    const int threshold = static_cast<int>(4 * min_gradient * min_gradient);
     for (int cy = y0; cy < y1; cy += cell) {
       for (int cx = x0; cx < x1; cx += cell) {
         int best = threshold, bx = -1, by = -1;

@@ -105,8 +105,13 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
     plane.q = out.median_q;
   }
   const int radius = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(area)) / 8), 3, 6);
-  select(box, select.settings.object_points, radius, accept, on_surface, flat ? &plane : nullptr, cu,
-         cv_, points);
+  // Strong gradients carry the information; weak ones only where there are few of them.
+  for (const double share : {1.0, 0.5}) {
+    points.clear();
+    select(box, select.settings.object_points, radius, share * select.settings.object_gradient, accept, on_surface,
+           flat ? &plane : nullptr, cu, cv_, points);
+    if (points.size() >= 60) break;
+  }
   select.sample_intensities(points);
   return out;
 }

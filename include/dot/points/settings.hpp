@@ -9,7 +9,8 @@ struct SelectionSettings {
   int background_points = 3000;  ///< budget for the background of one frame
   int object_points = 600;       ///< budget for one object
   int min_object_pixels = 60;    ///< smaller masks get no points
-  double min_gradient = 2.5;       ///< grey values per pixel
+  double min_gradient = 2.5;     ///< grey values per pixel, background
+  double object_gradient = 4;    ///< grey values per pixel; half of it where that gives few points
   double max_depth = 400;        ///< metres; farther is no measurement
   int window_radius = 5;         ///< pixels: half size of the window whose plane gives a point its depth
 };

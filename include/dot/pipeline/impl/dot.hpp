@@ -136,7 +136,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
   const auto free = [&](int x, int y) { return blocked_(x, y) == 0; };
   background_.clear();
   select({0, 0, camera_.width(), camera_.height()}, options_.selection.background_points, options_.selection.window_radius,
-         free, [](int, int) { return true; }, nullptr, 0, 0, background_);
+         options_.selection.min_gradient, free, [](int, int) { return true; }, nullptr, 0, 0, background_);
   select.sample_intensities(background_);
 
   for (TrackT& object : tracks_) {

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/points/select_object.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "dot/camera/depth_noise.hpp"
+#include "support/synthetic_scene.hpp"
+
+namespace {
+
+using dot::Box;
+using dot::Image;
+using dot::ObjectPoints;
+using dot::Pinhole;
+using dot::PointSet;
+using dot::Pyramid;
+using dot::SE3d;
+using dot::Vector3;
+using namespace dot::test;
+
+constexpr std::uint32_t car = 7, pillar = 9;
+
+dot::DepthNoise noise_of(double sigma_px) {
+  dot::DepthNoiseSettings s;
+  s.source = dot::DepthSource::Stereo;
+  s.stereo_sigma_px = sigma_px;
+  return {s, small_camera()};  // f b = 40: sigma_px / 40 in inverse depth
+}
+
+/// One body's mask as a segmentation gives it: cropped to its bounding box.
+struct Crop {
+  Box box;
+  Image<std::uint8_t> mask;
+  int area = 0;
+
+  Crop(const Image<std::uint32_t>& ids, std::uint32_t id) {
+    int x0 = ids.width(), y0 = ids.height(), x1 = -1, y1 = -1;
+    for (int y = 0; y < ids.height(); ++y)
+      for (int x = 0; x < ids.width(); ++x)
+        if (ids(x, y) == id) x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
+    box = {x0, y0, x1 - x0 + 1, y1 - y0 + 1};
+    mask.resize(box.width, box.height);
+    for (int y = 0; y < box.height; ++y)
+      for (int x = 0; x < box.width; ++x) {
+        mask(x, y) = ids(x0 + x, y0 + y) == id ? 255 : 0;
+        area += mask(x, y) != 0;
+      }
+  }
+};
+
+/// A car before the hopper's back wall.
+Scene street() {
+  Body body = box(car, {0.6, 0.5, 0.4}, 50, 0.12, 0.8);
+  body.T_world_body = {dot::so3::exp(Vector3<double>(0, 0.4, 0)), Vector3<double>(0.3, 0.1, 3.4)};
+  return {{hopper(21), body}};
+}
+
+/// What the selection sees and gives, with `truth` to judge it by.
+struct Selected {
+  Rendering truth;
+  ObjectPoints summary;
+  PointSet points;
+
+  Selected(const Scene& scene, const Degradation& degradation, double sigma_px = 0.1, int budget = 600) {
+    const Pinhole camera(small_camera());
+    truth = scene.render(camera, SE3d{});
+    const Rendering seen = degraded(truth, degradation);
+    Pyramid pyramid;
+    pyramid.build(seen.grey.view(), 3);
+    const Image<float> q = seen.inverse_depth();
+    const dot::DepthNoise noise = noise_of(sigma_px);
+    dot::SelectionSettings settings;
+    settings.object_points = budget;
+    const dot::Selector<Pinhole, dot::DepthNoise> selector{camera, noise, pyramid, q.view(), settings};
+    const Crop crop(seen.ids, car);
+    summary = select_object(selector, crop.box, crop.mask.view(), crop.area, points);
+  }
+  int x(std::size_t i) const { return static_cast<int>(points.u[i]); }
+  int y(std::size_t i) const { return static_cast<int>(points.v[i]); }
+  /// Whether a pixel of `id` is at most `reach` columns and rows away.
+  bool near(std::size_t i, std::uint32_t id, int reach) const {
+    for (int v = y(i) - reach; v <= y(i) + reach; ++v)
+      for (int u = x(i) - reach; u <= x(i) + reach; ++u)
+        if (truth.ids.contains(u, v) && truth.ids(u, v) == id) return true;
+    return false;
+  }
+};
+
+TEST(SelectObject, TakesTheObjectInsideItsBorder) {
+  const Selected s(street(), {});
+  EXPECT_GT(s.points.size(), 200);
+  EXPECT_LT(s.points.size(), 900);
+  for (std::size_t i = 0; i < s.points.u.size(); ++i) EXPECT_FALSE(s.near(i, 0, 1)) << s.x(i) << ", " << s.y(i);
+  ASSERT_EQ(s.points.levels, 3);
+  for (std::size_t l = 0; l < 3; ++l) EXPECT_EQ(s.points.intensity[l].size(), s.points.u.size());
+}
+
+TEST(SelectObject, SaysHowMuchItSaw) {
+  const Selected s(street(), {});
+  const Crop crop(s.truth.ids, car);
+  EXPECT_NEAR(s.summary.pixels_with_depth, crop.area, 0.05 * crop.area);
+  EXPECT_NEAR(1 / s.summary.median_q, 3.0, 0.3);  // its front
+}
+
+TEST(SelectObject, DoesNotSelectLeakedBackground) {
+  Degradation leaking;
+  leaking.leak = 4;
+  const Selected s(street(), leaking);
+  EXPECT_GT(s.points.size(), 200);
+  int wrong = 0;
+  for (std::size_t i = 0; i < s.points.u.size(); ++i) wrong += s.truth.ids(s.x(i), s.y(i)) != car;
+  EXPECT_EQ(wrong, 0);
+  for (const float q : s.points.q) EXPECT_GT(q, 1 / 4.2f);  // the wall is 5 to 6 m away, the car 2.8 to 4
+  EXPECT_NEAR(1 / s.summary.median_q, 3.0, 0.3);
+}
+
+TEST(SelectObject, KeepsAwayFromAnOccluder) {
+  Scene scene = street();
+  Body post = box(pillar, {0.1, 2, 0.1}, 80, 0.1, 0.6);
+  post.T_world_body.t = {0.25, 0, 1.8};
+  scene.bodies.push_back(post);
+  const Selected s(scene, {});
+  EXPECT_GT(s.points.size(), 100);
+  int left = 0, right = 0;
+  for (std::size_t i = 0; i < s.points.u.size(); ++i) {
+    EXPECT_FALSE(s.near(i, pillar, 4)) << s.x(i) << ", " << s.y(i);
+    (s.points.x[i] * 1.8f < 0.25f ? left : right) += 1;
+  }
+  EXPECT_GT(left, 20);
+  EXPECT_GT(right, 20);
+}
+
+TEST(SelectObject, KeepsTheReliefOfANearObject) {
+  Degradation noisy;
+  noisy.depth_noise = 0.1 / 40;
+  const Selected s(street(), noisy);
+  ASSERT_GT(s.points.size(), 200);
+  double squared = 0;
+  std::set<float> depths;
+  for (std::size_t i = 0; i < s.points.u.size(); ++i) {
+    const double error = s.points.q[i] - 1 / s.truth.depth(s.x(i), s.y(i));
+    squared += error * error;
+    depths.insert(s.points.q[i]);
+  }
+  EXPECT_GT(static_cast<int>(depths.size()), s.points.size() / 2);
+  EXPECT_LT(std::sqrt(squared / s.points.size()), noisy.depth_noise);
+}
+
+TEST(SelectObject, GivesAFarFlatObjectOneDepth) {
+  // 4 x 3 m at 40 m: with a disparity noise of 0.05 px, its 2 m of relief are one sigma.
+  Body body = box(car, {2, 1.5, 1}, 50, 1.5, 6);
+  body.T_world_body = {dot::so3::exp(Vector3<double>(0, 0.5, 0)), Vector3<double>(2, -1, 40)};
+  Degradation noisy;
+  noisy.depth_noise = 0.05 / 40;
+  const Selected s({{body}}, noisy, 0.05, 200);
+  ASSERT_GT(s.points.size(), 30);
+  for (const float q : s.points.q) EXPECT_EQ(q, s.points.q[0]);
+  // The median of some 300 pixels: a tenth of a sigma, and the relief.
+  EXPECT_NEAR(s.points.q[0], 1 / 39.3, 0.5 * noisy.depth_noise);
+}
+
+TEST(SelectObject, FindsNothingWithoutDepth) {
+  Degradation blind;
+  blind.missing_depth = 1;
+  const Selected s(street(), blind);
+  EXPECT_EQ(s.points.size(), 0);
+  EXPECT_EQ(s.summary.pixels_with_depth, 0);
+  EXPECT_EQ(s.summary.median_q, 0);
+}
+
+TEST(SelectObject, CopesWithThirtyPercentMissingDepth) {
+  Degradation holes;
+  holes.missing_depth = 0.3;
+  holes.leak = 3;
+  const Selected s(street(), holes);
+  EXPECT_GT(s.points.size(), 150);
+  for (std::size_t i = 0; i < s.points.u.size(); ++i) EXPECT_EQ(s.truth.ids(s.x(i), s.y(i)), car);
+}
+
+}  // namespace

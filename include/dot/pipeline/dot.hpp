@@ -14,6 +14,7 @@
 #include "dot/mask/association.hpp"
 #include "dot/motion/classifier.hpp"
 #include "dot/pipeline/camera_motion.hpp"
+#include "dot/pipeline/depth_learning.hpp"
 #include "dot/pipeline/options.hpp"
 #include "dot/pipeline/track.hpp"
 #include "dot/pipeline/validate.hpp"
@@ -112,6 +113,7 @@ class Dot {
   Current current_;
   CameraState camera_state_;
   PointSet background_;  ///< of the previous frame
+  DepthLearning depth_learning_;
   std::deque<TrackT> tracks_;
   std::vector<Observed> observed_;
   bool segmented_ = false;

@@ -34,6 +34,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::reset() {
   has_previous_ = false;
   camera_state_ = {};
   background_.clear();
+  depth_learning_.clear();
   tracks_.clear();
 }
 
@@ -76,6 +77,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::build(const Frame& frame) {
   if (current_.dt > options_.max_gap) {  // too long ago to align to: keep the ids, drop what was seen
     current_.dt = 0;
     background_.clear();
+    depth_learning_.clear();
     for (TrackT& t : tracks_) t.references.clear(), t.has_motion = false;
   }
   current_.timestamp = frame.timestamp;
@@ -118,6 +120,12 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
   }
   c.rate_known = c.known();
   if (c.known()) c.rate = c.T_cur_prev.log() / current_.dt;
+  if constexpr (std::is_same_v<Noise, DepthNoise>) {
+    if (c.known())
+      depth_learning_.learn(camera_, c.T_cur_prev, current_.inverse_depth, current_.timestamp, depth_noise);
+    else
+      depth_learning_.clear();
+  }
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -133,6 +141,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
   }
   cv::Mat blocked = mat(blocked_.view());
   cv::dilate(blocked, blocked, cv::Mat::ones(9, 9, CV_8U));
+  if constexpr (std::is_same_v<Noise, DepthNoise>)
+    depth_learning_.remember(camera_, current_.inverse_depth, blocked_, current_.timestamp);
   const auto free = [&](int x, int y) { return blocked_(x, y) == 0; };
   background_.clear();
   select({0, 0, camera_.width(), camera_.height()}, options_.selection.background_points, options_.selection.window_radius,

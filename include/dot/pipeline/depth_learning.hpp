@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <vector>
+
+#include "dot/camera/concept.hpp"
+#include "dot/camera/depth_noise.hpp"
+#include "dot/image/image.hpp"
+#include "dot/lie/se3.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Learns the size of the depth noise from the background, which stands still.
+///
+/// The background of each frame is cut into patches of about the size of a car. Seen again, a patch's inverse depth
+/// differs from what the camera motion predicts: the median difference of a patch is an error that its pixels share, the
+/// scatter about it that of single pixels. Medians over the patches, smoothed over time, scale the priors of DepthNoise:
+/// against the previous frame `change`, against one about 0.4 s back `common`.
+struct DepthLearning {
+  static constexpr int kWidth = 40, kHeight = 30, kStep = 4;  ///< pixels: patch and sampling
+  static constexpr int kMinSamples = 40;                      ///< of the 80 of a patch
+
+  /// Sampled patches of a frame.
+  struct Patches {
+    std::vector<float> x, y, q;  ///< ray and inverse depth of each sample
+    std::vector<int> begin;      ///< first sample of each patch, and the end
+    double timestamp = 0;
+    SE3d T_cur_ref;
+  };
+
+  /// One estimate with its number of frames.
+  struct Scale {
+    double value = 1;
+    double frames = 0;
+    void add(double v) {
+      frames = std::min(frames + 1, 20.0);
+      value += (v - value) / frames;
+    }
+    /// Blended with the prior 1 as if that were one frame, and a quarter for what a median hides.
+    double blended() const {
+      const double w = frames / (frames + 1);
+      return 1.25 * std::sqrt(w * value * value + (1 - w));
+    }
+  };
+
+  double reference_seconds = 0.4;
+  std::deque<Patches> history;  ///< newest first
+  Scale change, common, pixel;
+
+  void clear() { history.clear(); }
+
+  /// Cuts the frame's background. `blocked` is non-zero where objects are.
+  template <typename Camera>
+  void remember(const Camera& camera, const Image<float>& inverse_depth, const Image<std::uint8_t>& blocked,
+                double timestamp) {
+    Patches p;
+    p.timestamp = timestamp;
+    for (int y0 = 0; y0 + kHeight <= inverse_depth.height(); y0 += kHeight)
+      for (int x0 = 0; x0 + kWidth <= inverse_depth.width(); x0 += kWidth) {
+        const std::size_t begin = p.q.size();
+        for (int y = y0 + kStep / 2; y < y0 + kHeight; y += kStep)
+          for (int x = x0 + kStep / 2; x < x0 + kWidth; x += kStep) {
+            const float q = inverse_depth(x, y);
+            if (q <= 0 || blocked(x, y)) continue;
+            const Vector3<float> ray = camera.template unproject<float>(
+                Vector2<float>(static_cast<float>(x), static_cast<float>(y)));
+            p.x.push_back(ray.x());
+            p.y.push_back(ray.y());
+            p.q.push_back(q);
+          }
+        if (p.q.size() - begin >= kMinSamples)
+          p.begin.push_back(static_cast<int>(begin));
+        else
+          p.x.resize(begin), p.y.resize(begin), p.q.resize(begin);
+      }
+    p.begin.push_back(static_cast<int>(p.q.size()));
+    history.push_front(std::move(p));
+    while (history.size() > 1 && timestamp - history.back().timestamp > reference_seconds + 1e-6) history.pop_back();
+  }
+
+  /// Compares the new frame with the newest and the oldest remembered one, and scales `noise`.
+  template <typename Camera>
+  void learn(const Camera& camera, const SE3d& T_cur_prev, const Image<float>& inverse_depth, double timestamp,
+             DepthNoise& noise) {
+    for (Patches& p : history) p.T_cur_ref = T_cur_prev * p.T_cur_ref;
+    if (history.empty()) return;
+    compare(camera, history.front(), inverse_depth, noise, change, &pixel);
+    const Patches& oldest = history.back();
+    if (timestamp - oldest.timestamp > 0.5 * reference_seconds) compare(camera, oldest, inverse_depth, noise, common, nullptr);
+    noise.change_scale = change.frames > 0 ? change.blended() : 1;
+    noise.common_scale = common.frames > 0 ? common.blended() : 1;
+    noise.pixel_scale = pixel.frames > 0 ? std::clamp(pixel.value, 0.2, 2.0) : 1;
+  }
+
+ private:
+  template <typename Camera>
+  void compare(const Camera& camera, const Patches& p, const Image<float>& inverse_depth, const DepthNoise& noise,
+               Scale& shared, Scale* single) {
+    const Matrix3<float> R = p.T_cur_ref.R.cast<float>();
+    const Vector3<float> t = p.T_cur_ref.t.cast<float>();
+    medians_.clear();
+    scatters_.clear();
+    for (std::size_t k = 0; k + 1 < p.begin.size(); ++k) {
+      differences_.clear();
+      float q_min = 1e9f, q_max = 0;
+      for (auto i = static_cast<std::size_t>(p.begin[k]); i < static_cast<std::size_t>(p.begin[k + 1]); ++i) {
+        const Vector3<float> X = R * Vector3<float>(p.x[i], p.y[i], 1) + p.q[i] * t;
+        if (X.z() < 1e-3f) continue;
+        const Vector2<float> pixel_position = camera.template project<float>(X);
+        const int u = static_cast<int>(std::lround(pixel_position.x())), v = static_cast<int>(std::lround(pixel_position.y()));
+        if (!inverse_depth.contains(u, v) || inverse_depth(u, v) <= 0) continue;
+        const float predicted = p.q[i] / X.z();
+        differences_.push_back(inverse_depth(u, v) - predicted);
+        q_min = std::min(q_min, predicted);
+        q_max = std::max(q_max, predicted);
+      }
+      if (static_cast<int>(differences_.size()) < kMinSamples) continue;
+      const double q = 0.5 * static_cast<double>(q_min + q_max);
+      if (static_cast<double>(q_max - q_min) > 7 * noise.prior_pixel(q)) continue;  // a patch with relief
+      const float m = median(differences_);
+      medians_.push_back(static_cast<float>(std::abs(m) / noise.prior_common(q)));
+      for (float& d : differences_) d = std::abs(d - m);
+      scatters_.push_back(static_cast<float>(1.4826 * static_cast<double>(median(differences_)) / std::sqrt(2.0) / noise.prior_pixel(q)));
+    }
+    if (medians_.size() < 5) return;
+    shared.add(1.4826 * static_cast<double>(median(medians_)));
+    if (single) single->add(static_cast<double>(median(scatters_)));
+  }
+
+  static float median(std::vector<float>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  }
+
+  std::vector<float> differences_, medians_, scatters_;
+};
+
+DOT_END_NAMESPACE

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "dot/align/aligner.hpp"
@@ -106,7 +107,7 @@ void expect_exact(const Pair& pair, const Alignment& a) {
   EXPECT_LT(std::abs(e[2]), 4.5e-3);
   EXPECT_LT(e.tail<3>().norm(), 10e-3);
   EXPECT_GT(a.phi, 0.995);
-  EXPECT_GT(a.inliers, 0.95 * a.seen);
+  EXPECT_GT(a.inliers, 0.9 * a.seen);  // the motion hides some of the border
   EXPECT_EQ(a.inside, a.seen + a.occluded);
 }
 
@@ -169,23 +170,29 @@ TEST(AlignObject, DepthModesPredictWhatADepthErrorDoes) {
   const auto [v0, v1] = std::minmax_element(pair.points.v.begin(), pair.points.v.end());
   const Alignment photometric = align(pair.points, pair.inverse_depth, 0);
   const Alignment both = align(pair.points, pair.inverse_depth, 1);
-  const float unit = 0.01f;  // 1/m, 9 cm here: many sigma, so that where the iterations stop does not matter
   for (std::size_t mode = 0; mode < 4; ++mode) {
-    PointSet points = pair.points;
-    Image<float> measured = pair.inverse_depth;
-    if (mode == 3)
-      for (int y = 0; y < measured.height(); ++y)
-        for (int x = 0; x < measured.width(); ++x) measured(x, y) += unit;
-    for (std::size_t i = 0; i < points.u.size() && mode < 3; ++i) {
-      const float m[] = {1, 2 * (points.u[i] - *u0) / (*u1 - *u0) - 1, 2 * (points.v[i] - *v0) / (*v1 - *v0) - 1};
-      points.q[i] += unit * m[mode];
-    }
     const Alignment& base = mode == 3 ? both : photometric;
-    const Alignment off = align(points, measured, mode == 3 ? 1 : 0);
-    const Vector6<double> found = pair.difference(T_c.inverse() * base.state.T, T_c.inverse() * off.state.T);
-    const Vector6<double> predicted = unit * base.depth_modes[mode].head<6>();
-    // Of the displacement, which is what the velocity is made of; a third for the second order of a 3 % error.
-    EXPECT_LT((found - predicted).head<3>().norm(), 0.33 * found.head<3>().norm() + 1e-3)
+    // x caused by an error of `size` 1/m in this mode.
+    const auto effect = [&](float size) {
+      PointSet points = pair.points;
+      Image<float> measured = pair.inverse_depth;
+      if (mode == 3)
+        for (int y = 0; y < measured.height(); ++y)
+          for (int x = 0; x < measured.width(); ++x) measured(x, y) += size;
+      for (std::size_t i = 0; i < points.u.size() && mode < 3; ++i) {
+        const float m[] = {1, 2 * (points.u[i] - *u0) / (*u1 - *u0) - 1, 2 * (points.v[i] - *v0) / (*v1 - *v0) - 1};
+        points.q[i] += size * m[mode];
+      }
+      const Alignment off = align(points, measured, mode == 3 ? 1 : 0);
+      return pair.difference(T_c.inverse() * base.state.T, T_c.inverse() * off.state.T);
+    };
+    // 2 cm: well above what the iterations leave. Central differences, as the second order is not small.
+    const double size = 0.002;
+    const Vector6<double> found = (effect(static_cast<float>(size)) - effect(static_cast<float>(-size))) / (2 * size);
+    Vector6<double> metres;  // rotation as it shows at the box's border
+    metres << 1, 1, 1, 0.5, 0.5, 0.5;
+    const Vector6<double> predicted = base.depth_modes[mode].head<6>();
+    EXPECT_LT((found - predicted).cwiseProduct(metres).norm(), 0.25 * found.cwiseProduct(metres).norm())
         << mode << "\nfound     " << found.transpose() << "\npredicted " << predicted.transpose();
   }
 }

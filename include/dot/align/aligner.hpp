@@ -42,7 +42,7 @@ struct Alignment {
   double normalised_variance = 0;
   double phi = 0;               ///< Pearson correlation of the inliers
   int inside = 0, seen = 0, occluded = 0, inliers = 0;
-  int with_depth = 0, depth_agrees = 0;  ///< seen points with measured depth; those within 3 sigma of the prediction
+  int with_depth = 0, depth_agrees = 0;  ///< seen points with measured depth; those that agree with the prediction
   int iterations = 0;
   bool converged = false;
 };
@@ -88,7 +88,7 @@ struct DirectAligner {
       ++a.seen;
       if (p.has_depth) {
         ++a.with_depth;
-        a.depth_agrees += std::abs(p.r_depth) < 3 * problem.depth.sigma;
+        a.depth_agrees += std::abs(p.r_depth) < problem.depth.agreement;
       }
       if (sq(p.r) > sq(settings.outlier) * s2(p)) continue;
       ++a.inliers;

@@ -28,7 +28,7 @@ struct ObjectSettings {
 
 /// Priors of an object's motion between frames; rates per second. Generic: nothing about roads.
 struct MotionPriorSettings {
-  double rotation = 1.5;         ///< rad/s, 1 sigma, any axis
+  double rotation = 0.35;        ///< rad/s, 1 sigma, any axis
   double velocity = 40;          ///< m/s, 1 sigma, any axis, about standing still
   bool ground_vehicle = false;   ///< turn about the up vector only, move in the ground plane
   double up_x = 0;               ///< up, camera axes (used with ground_vehicle)

@@ -19,10 +19,12 @@ DOT_BEGIN_NAMESPACE
 /// The background of each frame is cut into patches of about the size of a car. Seen again, a patch's inverse depth
 /// differs from what the camera motion predicts: the median difference of a patch is an error that its pixels share, the
 /// scatter about it that of single pixels. Medians over the patches, smoothed over time, scale the priors of DepthNoise:
-/// against the previous frame `change`, against one about 0.4 s back `common`.
+/// against the previous frame `change`, against one about 0.4 s back `common`. A standing camera sees the same errors
+/// again and learns nothing: the image must have moved by kMinMotion pixels.
 struct DepthLearning {
   static constexpr int kWidth = 40, kHeight = 30, kStep = 4;  ///< pixels: patch and sampling
   static constexpr int kMinSamples = 40;                      ///< of the 80 of a patch
+  static constexpr double kMinMotion = 1.5;                   ///< pixels, median over the samples
 
   /// Sampled patches of a frame.
   struct Patches {
@@ -104,9 +106,10 @@ struct DepthLearning {
     const Vector3<float> t = p.T_cur_ref.t.cast<float>();
     medians_.clear();
     scatters_.clear();
+    motion_.clear();
     for (std::size_t k = 0; k + 1 < p.begin.size(); ++k) {
       differences_.clear();
-      float q_min = 1e9f, q_max = 0;
+      float q_min = 1e9f, q_max = 0, moved = 0;
       for (auto i = static_cast<std::size_t>(p.begin[k]); i < static_cast<std::size_t>(p.begin[k + 1]); ++i) {
         const Vector3<float> X = R * Vector3<float>(p.x[i], p.y[i], 1) + p.q[i] * t;
         if (X.z() < 1e-3f) continue;
@@ -115,18 +118,20 @@ struct DepthLearning {
         if (!inverse_depth.contains(u, v) || inverse_depth(u, v) <= 0) continue;
         const float predicted = p.q[i] / X.z();
         differences_.push_back(inverse_depth(u, v) - predicted);
+        moved = (pixel_position - camera.template project<float>(Vector3<float>(p.x[i], p.y[i], 1))).norm();
         q_min = std::min(q_min, predicted);
         q_max = std::max(q_max, predicted);
       }
       if (static_cast<int>(differences_.size()) < kMinSamples) continue;
       const double q = 0.5 * static_cast<double>(q_min + q_max);
       if (static_cast<double>(q_max - q_min) > 7 * noise.prior_pixel(q)) continue;  // a patch with relief
+      motion_.push_back(moved);
       const float m = median(differences_);
       medians_.push_back(static_cast<float>(std::abs(m) / noise.prior_common(q)));
       for (float& d : differences_) d = std::abs(d - m);
       scatters_.push_back(static_cast<float>(1.4826 * static_cast<double>(median(differences_)) / std::sqrt(2.0) / noise.prior_pixel(q)));
     }
-    if (medians_.size() < 5) return;
+    if (medians_.size() < 5 || static_cast<double>(median(motion_)) < kMinMotion) return;
     shared.add(1.4826 * static_cast<double>(median(medians_)));
     if (single) single->add(static_cast<double>(median(scatters_)));
   }
@@ -137,7 +142,7 @@ struct DepthLearning {
     return *middle;
   }
 
-  std::vector<float> differences_, medians_, scatters_;
+  std::vector<float> differences_, medians_, scatters_, motion_;
 };
 
 DOT_END_NAMESPACE

@@ -130,6 +130,9 @@ struct ObjectMotionEstimator {
     problem.depth.inverse_depth = scene.inverse_depth;
     problem.depth.hidden = scene.hidden;
     problem.depth.sigma = static_cast<float>(std::sqrt(pixel * pixel + change * change));
+    // On an object the depth may be worse than on the background that taught its noise.
+    problem.depth.agreement = static_cast<float>(
+        3 * std::max(std::sqrt(pixel * pixel + change * change), std::hypot(noise.prior_pixel(q), noise.prior_common(q))));
     // Neighbouring depths are not independent, and all share the change of the common error: together they are worth
     // N = 1 / (A_corr / area + change^2 / pixel^2) measurements.
     const double n = 1 / (45.0 / std::max(45, reference.area) + change * change / (pixel * pixel));

@@ -76,6 +76,7 @@ struct Pair {
     p.centroid = centroid;
     p.depth.inverse_depth = inverse_depth.view();
     p.depth.sigma = 0.002f;
+    p.depth.agreement = 0.006f;
     p.depth.weight = depth_weight;
     return p;
   }

@@ -4,14 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 #include "dot/camera/intrinsics.hpp"
 #include "dot/camera/settings.hpp"
 
 namespace dot {
 
-/// Noise of the depth as variance of *inverse depth* q at a point (policy of the pipeline; replace it by any struct with
-/// these functions). An error has a part of each pixel and a part that all pixels of an object share, which no
+/// @file
+/// Depth noise, a policy of the pipeline. Any struct serves that offers, const and for an inverse depth q in 1/m, these
+/// standard deviations in 1/m:
+///
+///     double pixel(double q);         // of one pixel
+///     double common(double q);        // of the error that an object's pixels share
+///     double change(double q);        // of that error's change from one frame of a fit to the other
+///     double prior_pixel(double q);   // of one pixel, before anything was learnt
+///     double prior_common(double q);  // shared, before anything was learnt
+
+/// Noise of the depth as standard deviation of *inverse depth* q at a point. An error has a part of each pixel and a part that all pixels of an object share, which no
 /// number of pixels averages out. The settings are priors; `learn` scales them with what the background shows.
 struct DepthNoise {
   DepthNoiseSettings settings;
@@ -52,5 +63,20 @@ struct DepthNoise {
     return 0.5 * settings.unknown_relative * q;
   }
 };
+
+namespace depth_noise_concept {
+template <typename T, typename = void>
+inline constexpr bool holds_v = false;
+template <typename T>
+inline constexpr bool holds_v<
+    T, std::void_t<decltype(double(std::declval<const T&>().pixel(1.0)) + double(std::declval<const T&>().common(1.0)) +
+                            double(std::declval<const T&>().change(1.0)) +
+                            double(std::declval<const T&>().prior_pixel(1.0)) +
+                            double(std::declval<const T&>().prior_common(1.0)))>> = true;
+}  // namespace depth_noise_concept
+
+/// Whether T satisfies the concept above.
+template <typename T>
+inline constexpr bool is_depth_noise_v = depth_noise_concept::holds_v<T>;
 
 }  // namespace dot

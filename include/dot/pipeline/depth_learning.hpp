@@ -18,7 +18,8 @@ DOT_BEGIN_NAMESPACE
 ///
 /// The background of each frame is cut into patches of about the size of a car. Seen again, a patch's inverse depth
 /// differs from what the camera motion predicts: the median difference of a patch is an error that its pixels share, the
-/// scatter about it that of single pixels. Medians over the patches, smoothed over time, scale the priors of DepthNoise:
+/// scatter about it that of single pixels. Over the patches the shared errors have heavier tails than a normal, so their
+/// sigma is that of the 85 % quantile; smoothed over time, they scale the priors of DepthNoise:
 /// against the previous frame `change`, against one about 0.4 s back `common`. A standing camera sees the same errors
 /// again and learns nothing: the image must have moved by kMinMotion pixels.
 struct DepthLearning {
@@ -132,15 +133,16 @@ struct DepthLearning {
       scatters_.push_back(static_cast<float>(1.4826 * static_cast<double>(median(differences_)) / std::sqrt(2.0) / noise.prior_pixel(q)));
     }
     if (medians_.size() < 5 || static_cast<double>(median(motion_)) < kMinMotion) return;
-    shared.add(1.4826 * static_cast<double>(median(medians_)));
+    shared.add(static_cast<double>(quantile(medians_, 0.85)) / 1.44);
     if (single) single->add(static_cast<double>(median(scatters_)));
   }
 
-  static float median(std::vector<float>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+  static float quantile(std::vector<float>& values, double share) {
+    const auto k = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), k, values.end());
+    return *k;
   }
+  static float median(std::vector<float>& values) { return quantile(values, 0.5); }
 
   std::vector<float> differences_, medians_, scatters_, motion_;
 };

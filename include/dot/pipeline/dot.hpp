@@ -37,6 +37,7 @@ template <typename Camera = Pinhole, typename Classifier = VelocityClassifier, t
 class Dot {
   static_assert(is_camera_v<Camera>, "Camera must satisfy the concept in dot/camera/concept.hpp");
   static_assert(is_classifier_v<Classifier>, "Classifier must satisfy the concept in dot/motion/classifier.hpp");
+  static_assert(is_depth_noise_v<Noise>, "Noise must satisfy the concept in dot/camera/depth_noise.hpp");
 
  public:
   Classifier classifier;

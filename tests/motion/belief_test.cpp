@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/motion/belief.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/numeric_jacobian.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using dot::Belief;
+using dot::Matrix3;
+using dot::MotionEstimate;
+using dot::Vector3;
+using dot::VelocitySettings;
+using dot::test::matrices_match;
+using dot::test::Random;
+
+const VelocitySettings settings;
+const Matrix3<double> I = Matrix3<double>::Identity();
+
+MotionEstimate fit(const Vector3<double>& velocity, double sigma, double interval = 0.1, double intervals = 1) {
+  MotionEstimate e;
+  e.velocity = velocity;
+  e.covariance = sigma * sigma * I;
+  e.interval = interval;
+  e.intervals = intervals;
+  e.range = 15;
+  return e;
+}
+
+/// Log odds that one fit brings to a new belief.
+double evidence(const MotionEstimate& e) {
+  Belief belief;
+  belief.update(e, settings.v0, settings);
+  return belief.log_odds;
+}
+
+TEST(Belief, BeginsUndecided) {
+  const Belief belief;
+  EXPECT_EQ(belief.p_moving(), 0.5);
+  EXPECT_FALSE(belief.has_velocity());
+}
+
+TEST(Belief, WeighsAFit) {
+  EXPECT_GT(evidence(fit({3, 0, 0}, 0.2)), 2);
+  EXPECT_GT(evidence(fit({0, 0, -8}, 0.5)), 2);
+  EXPECT_LT(evidence(fit({0, 0, 0}, 0.2)), -1);
+  EXPECT_LT(evidence(fit({0.1, 0, -0.1}, 0.1)), -1);
+}
+
+TEST(Belief, MoreSpeedNeverSpeaksForStanding) {
+  for (const double sigma : {0.05, 0.2, 1.0, 4.0}) {
+    double before = evidence(fit({0, 0, 0}, sigma));
+    for (double speed = 0.1; speed < 12; speed += 0.1) {
+      const double now = evidence(fit({0.6 * speed, 0, 0.8 * speed}, sigma));
+      EXPECT_GE(now, before - 1e-9) << sigma << ", " << speed;
+      before = now;
+    }
+  }
+}
+
+TEST(Belief, AFitThatKnowsNothingSaysNothing) {
+  for (const double sigma : {100.0, 1000.0})
+    for (const double speed : {0.0, 3.0, 30.0}) EXPECT_NEAR(evidence(fit({0, 0, speed}, sigma)), 0, 0.5);
+}
+
+TEST(Belief, DoesNotDependOnTheAxes) {
+  const Matrix3<double> R = dot::so3::exp(Vector3<double>(0.4, -1.1, 0.7));
+  MotionEstimate e = fit({0.8, -0.3, 1.2}, 0);
+  e.covariance = Vector3<double>(0.01, 0.04, 1).asDiagonal();
+  MotionEstimate turned = e;
+  turned.velocity = R * e.velocity;
+  turned.covariance = R * e.covariance * R.transpose();
+  Belief a, b;
+  for (int i = 0; i < 2; ++i) a.update(e, 0.5, settings), b.update(turned, 0.5, settings);
+  EXPECT_TRUE(matrices_match(b.velocity, Vector3<double>(R * a.velocity), 1e-9));
+  EXPECT_TRUE(matrices_match(b.covariance, Matrix3<double>(R * a.covariance * R.transpose()), 1e-9));
+  // The filter's covariance is turned with it; the ball |v| <= v0 is taken as a cube along its axes, nothing else.
+  EXPECT_NEAR(a.log_odds, b.log_odds, 1e-6);
+}
+
+TEST(Belief, OneFitBringsNoMoreThanItsTime) {
+  for (const double interval : {1 / 5.0, 1 / 10.0, 1 / 30.0}) {
+    EXPECT_LE(evidence(fit({20, 0, 0}, 0.01, interval)), settings.max_evidence_rate * interval + 1e-9);
+    EXPECT_GE(evidence(fit({0, 0, 0}, 1e-4, interval)), -settings.max_evidence_rate * interval - 1e-9);
+  }
+  Belief belief;
+  for (int i = 0; i < 100; ++i) belief.update(fit({20, 0, 0}, 0.1), 0.5, settings);
+  EXPECT_LE(belief.log_odds, settings.max_log_odds);
+  for (int i = 0; i < 100; ++i) belief.update(fit({0, 0, 0}, 0.1), 0.5, settings);
+  EXPECT_GE(belief.log_odds, -settings.max_log_odds);
+}
+
+TEST(Belief, LongBaselinesOverlapAndCountLess) {
+  // A fit over four frames shares three of them with the one before.
+  const double once = evidence(fit({1.2, 0, 0}, 0.4, 0.1, 1)), four = evidence(fit({1.2, 0, 0}, 0.4, 0.4, 4));
+  EXPECT_GT(once, 0);
+  EXPECT_NEAR(four, once / 2, 1e-9);
+}
+
+TEST(Belief, ForgetsWithTimeAtAnyFrameRate) {
+  for (const double start : {5.0, -5.0}) {
+    Belief coarse, fine;
+    coarse.log_odds = fine.log_odds = start;
+    double p = coarse.p_moving();
+    for (int i = 0; i < 50; ++i) {
+      coarse.predict(0.2, I, settings);
+      for (int k = 0; k < 6; ++k) fine.predict(0.2 / 6, I, settings);
+      EXPECT_LT(std::abs(coarse.p_moving() - 0.5), std::abs(p - 0.5));  // towards not knowing, never past it
+      EXPECT_GT((coarse.p_moving() - 0.5) * start, 0);
+      EXPECT_NEAR(coarse.p_moving(), fine.p_moving(), 5e-3);
+      p = coarse.p_moving();
+    }
+  }
+}
+
+TEST(Belief, VelocityTurnsWithTheCameraAndGrowsUncertain) {
+  Belief belief;
+  MotionEstimate e = fit({2, 0, 5}, 0);
+  e.covariance = Vector3<double>(0.01, 0.02, 0.5).asDiagonal();
+  belief.update(e, 0.5, settings);
+  const Belief before = belief;
+  const Matrix3<double> R = dot::so3::exp(Vector3<double>(0, 0.5, 0.1));
+  belief.predict(0.1, R, settings);
+  EXPECT_TRUE(matrices_match(belief.velocity, Vector3<double>(R * before.velocity), 1e-12));
+  EXPECT_TRUE(matrices_match(Matrix3<double>(belief.covariance), Matrix3<double>(belief.covariance.transpose()), 1e-12));
+  const Matrix3<double> grown = R.transpose() * belief.covariance * R - before.covariance;
+  const Eigen::SelfAdjointEigenSolver<Matrix3<double>> eigen(grown);
+  EXPECT_GE(eigen.eigenvalues()[0], -1e-9);
+  EXPECT_GT(eigen.eigenvalues()[2], 0);
+}
+
+TEST(Belief, FilterConvergesAndKnowsHowWell) {
+  const Vector3<double> truth(3, 0, -6);
+  double chi2 = 0;
+  const int seeds = 100;
+  for (unsigned seed = 0; seed < seeds; ++seed) {
+    Random random(seed);
+    Belief belief;
+    for (int i = 0; i < 20; ++i) {
+      belief.update(fit(truth + random.normal3(0.5), 0.5), 0.5, settings);
+      if (i < 19) belief.predict(0.1, I, settings);
+    }
+    EXPECT_LT(belief.covariance.trace(), 3 * 0.25);  // better than one fit
+    const Vector3<double> e = belief.velocity - truth;
+    EXPECT_LT(e.norm(), 1.5);
+    chi2 += e.dot(belief.covariance.ldlt().solve(e)) / 3 / seeds;
+  }
+  // The filter allows for accelerations that this object has not: below 1, but of the right size.
+  EXPECT_GT(chi2, 0.2);
+  EXPECT_LT(chi2, 1.3);
+}
+
+TEST(Belief, FilterStartsAnewWhereAFitContradictsIt) {
+  Belief belief;
+  for (int i = 0; i < 10; ++i) {
+    belief.update(fit({10, 0, 0}, 0.3), 0.5, settings);
+    belief.predict(0.1, I, settings);
+  }
+  EXPECT_NEAR(belief.velocity.x(), 10, 0.2);
+  belief.update(fit({-5, 0, 0}, 0.3), 0.5, settings);
+  EXPECT_NEAR(belief.velocity.x(), -5, 0.3);
+}
+
+}  // namespace

@@ -78,4 +78,3 @@ BENCHMARK(BM_Track)->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond)->Iterations(9
 
 }  // namespace
 
-BENCHMARK_MAIN();

@@ -22,14 +22,15 @@ namespace dot {
 ///     double prior_pixel(double q);   // of one pixel, before anything was learnt
 ///     double prior_common(double q);  // shared, before anything was learnt
 
-/// Noise of the depth as standard deviation of *inverse depth* q at a point. An error has a part of each pixel and a part that all pixels of an object share, which no
-/// number of pixels averages out. The settings are priors; `learn` scales them with what the background shows.
+/// Noise of the depth as standard deviation of *inverse depth* q at a point. An error has a part of each pixel and a
+/// part that all pixels of an object share, which no number of pixels averages out. The settings are priors; the pipeline
+/// scales them with what the background shows (pipeline/depth_learning.hpp).
 struct DepthNoise {
   DepthNoiseSettings settings;
   double focal_baseline = 0;  ///< f b, pixel metres
   double pixel_scale = 1;     ///< learned factors on the priors
-  double common_scale = 1;    ///< error shared by an object, one interval
-  double change_scale = 1;    ///< change of the shared error between the frames of a fit
+  double common_scale = 1;    ///< of the shared error
+  double change_scale = 1;    ///< of the shared error's change from frame to frame
 
   DepthNoise() = default;
   DepthNoise(const DepthNoiseSettings& prior, const Intrinsics& camera)

@@ -121,7 +121,17 @@ inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth
   return true;
 }
 
-/// The same with buffers of its own.
+/// An outline of one inverse depth, for a mask without measurements: at a distance it is only turned with the camera.
+inline void make_flat_template(const Mask& mask, double inverse_depth, MaskTemplate& out) {
+  out.mask = mask;
+  out.median = inverse_depth;
+  out.inverse_depth.resize(mask.width(), mask.height());
+  for (int v = 0; v < mask.height(); ++v)
+    for (int u = 0; u < mask.width(); ++u)
+      out.inverse_depth(u, v) = mask.pixels(u, v) ? static_cast<float>(inverse_depth) : 0.0f;
+}
+
+/// make_template with buffers of its own.
 inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth, double tolerance, MaskTemplate& out) {
   TemplateWorkspace workspace;
   return make_template(mask, inverse_depth, tolerance, workspace, out);

@@ -113,7 +113,9 @@ class Dot {
 
   Current current_;
   CameraState camera_state_;
-  PointSet background_;  ///< of the previous frame
+  PointSet background_;    ///< of the previous frame, or of the last one that had points
+  SE3d T_cur_background_;  ///< from that frame to the current one; the identity once `track` has new points
+  PointSet fresh_;
   DepthLearning depth_learning_;
   std::deque<TrackT> tracks_;
   std::vector<Observed> observed_;

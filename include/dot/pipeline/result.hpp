@@ -38,7 +38,7 @@ enum class CameraStatus : std::uint8_t {
   FirstFrame,      ///< no reference yet, or references dropped: T_cur_prev is the identity and means nothing
   Tracked,         ///< estimated from the image
   FromHost,        ///< taken from Frame::camera_motion
-  TooLittleDepth,  ///< too few background points with depth; T_cur_prev is the constant-velocity guess
+  TooLittleDepth,  ///< no earlier frame had enough background points with depth; T_cur_prev is the constant-velocity guess
   Lost             ///< the alignment failed; T_cur_prev is the constant-velocity guess
 };
 
@@ -106,6 +106,7 @@ struct Result {
   std::uint64_t frame_id = 0;
   double timestamp = 0;
   double interval = 0;  ///< seconds since the previous frame, 0 when there is no reference
+  bool too_little_depth = false;  ///< the frame gives too few background points to be a reference; older ones serve on
   CameraResult camera;
   ImageView<const std::uint8_t> labels;  ///< State of each pixel
   ImageView<const std::uint32_t> ids;    ///< track id of each pixel, 0 = background

@@ -32,6 +32,7 @@ struct Track {
 
   // Its motion.
   std::deque<ObjectReference> references;  ///< newest first
+  Reason no_reference = Reason::NoReference;  ///< why the last frame added none
   SE3d T_o_predicted;      ///< constant velocity, previous camera's axes
   SE3d T_o_last;           ///< last accepted, axes of the camera before that interval
   bool has_motion = false; ///< T_o_last is that of the interval before this one

@@ -33,6 +33,7 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Dot<Camera, Classifier, Noise, Aligner>::reset() {
   has_previous_ = false;
   camera_state_ = {};
+  T_cur_background_ = {};
   background_.clear();
   depth_learning_.clear();
   tracks_.clear();
@@ -76,9 +77,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::build(const Frame& frame) {
   current_.dt = has_previous_ ? interval : 0;
   if (current_.dt > options_.max_gap) {  // too long ago to align to: keep the ids, drop what was seen
     current_.dt = 0;
+    T_cur_background_ = {};
     background_.clear();
     depth_learning_.clear();
-    for (TrackT& t : tracks_) t.references.clear(), t.has_motion = false;
+    for (TrackT& t : tracks_) t.references.clear(), t.no_reference = Reason::NoReference, t.has_motion = false;
   }
   current_.timestamp = frame.timestamp;
   to_grey(frame.image, current_.grey);
@@ -107,14 +109,15 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
   } else if (background_.size() < options_.camera.min_points) {
     c.status = CameraStatus::TooLittleDepth;
   } else {
-    c.alignment = camera_estimator.estimate(background_, current_.pyramid, camera_, c.T_cur_prev, c.rate_known,
+    const SE3d T_prev_background = T_cur_background_;
+    c.alignment = camera_estimator.estimate(background_, current_.pyramid, camera_, c.T_cur_prev * T_prev_background, c.rate_known,
                                               options_.camera.search_speed * current_.dt, aligner);
     const Alignment& a = c.alignment;
     const bool ok = a.covariance.allFinite() && a.state.T.t.allFinite() && a.phi >= options_.camera.min_phi &&
                     a.seen >= options_.camera.min_points && a.inliers >= options_.camera.min_inliers * a.seen;
     c.status = ok ? CameraStatus::Tracked : CameraStatus::Lost;
     if (ok) {
-      c.T_cur_prev = a.state.T;
+      c.T_cur_prev = a.state.T * T_prev_background.inverse();
       c.covariance = a.covariance.template topLeftCorner<6, 6>();
     }
   }
@@ -144,21 +147,35 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
   if constexpr (std::is_same_v<Noise, DepthNoise>)
     depth_learning_.remember(camera_, current_.inverse_depth, blocked_, current_.timestamp);
   const auto free = [&](int x, int y) { return blocked_(x, y) == 0; };
-  background_.clear();
+  fresh_.clear();
   select({0, 0, camera_.width(), camera_.height()}, options_.selection.background_points, options_.selection.window_radius,
-         options_.selection.min_gradient, free, [](int, int) { return true; }, nullptr, 0, 0, background_);
-  select.sample_intensities(background_);
+         options_.selection.min_gradient, free, [](int, int) { return true; }, nullptr, 0, 0, fresh_);
+  result_.too_little_depth = fresh_.size() < options_.camera.min_points;
+  if (result_.too_little_depth) {  // go on with the points that the camera was last aligned to
+    T_cur_background_ = camera_state_.T_cur_prev * T_cur_background_;
+  } else {
+    select.sample_intensities(fresh_);
+    std::swap(background_, fresh_);
+    T_cur_background_ = {};
+  }
 
   for (TrackT& object : tracks_) {
     while (!object.references.empty() &&
            current_.timestamp - object.references.back().timestamp > options_.object.reference_seconds + 1e-6)
       object.references.pop_back();
-    if (!object.visible || object.mask.area < options_.selection.min_object_pixels) continue;
+    if (!object.visible || object.mask.area < options_.selection.min_object_pixels) {
+      object.no_reference = object.visible ? Reason::TooFewPixels : Reason::Hidden;
+      continue;
+    }
     ObjectReference r;
     const ObjectPoints found =
         select_object(select, {object.mask.x, object.mask.y, object.mask.width(), object.mask.height()},
                       object.mask.pixels.view(), object.mask.area, r.points);
-    if (r.points.size() == 0) continue;
+    if (r.points.size() < options_.object.min_points) {
+      object.no_reference =
+          found.pixels_with_depth < options_.object.min_points ? Reason::TooLittleDepth : Reason::TooLittleTexture;
+      continue;
+    }
     double x = 0, y = 0, q = 0;
     for (std::size_t i = 0; i < r.points.u.size(); ++i) x += r.points.x[i], y += r.points.y[i], q += r.points.q[i];
     const double n = r.points.size();

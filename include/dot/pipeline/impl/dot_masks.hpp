@@ -109,7 +109,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
   for (TrackT& t : tracks_) {
     if (t.observed) {
       t.mask = *t.observed;
-      make_template(t.mask, current_.inverse_depth.view(), options_.mask.depth_tolerance, template_workspace_, t.outline);
+      const double q = t.outline.median > 0 ? t.outline.median : 1 / options_.selection.max_depth;
+      if (!make_template(t.mask, current_.inverse_depth.view(), options_.mask.depth_tolerance, template_workspace_, t.outline))
+        make_flat_template(t.mask, q, t.outline);
       t.T_cur_outline = {};
       t.visible = true;
     } else {

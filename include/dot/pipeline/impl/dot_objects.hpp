@@ -45,7 +45,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     return;
   }
   if (object.references.empty()) {
-    object.fit.reason = object.outline.median > 0 ? Reason::TooLittleTexture : Reason::TooLittleDepth;
+    object.fit.reason = object.no_reference;
     return;
   }
   const ObjectScene<Camera> scene{current_.pyramid, camera_, current_.inverse_depth.view(), nearer_.view()};

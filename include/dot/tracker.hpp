@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "dot/camera/intrinsics.hpp"
+#include "dot/export.hpp"
 #include "dot/pipeline/frame.hpp"
 #include "dot/pipeline/options.hpp"
 #include "dot/pipeline/result.hpp"
@@ -15,7 +16,7 @@ namespace dot {
 ///
 /// Trackers are independent of one another; one thread at a time may use a given one. Buffers are taken at the first
 /// frames and kept.
-class Tracker {
+class DOT_EXPORT Tracker {
  public:
   /// @throws std::invalid_argument naming the field of `camera` or `options` that is out of range.
   explicit Tracker(const Intrinsics& camera, const Options& options = {});

@@ -10,8 +10,8 @@
 
 /// @file
 /// Motion of an object with the camera's motion fixed, about the object's centroid. The bound is the camera's: without
-/// noise the RMS error in the image stays under a twentieth of a pixel, here of some 300 points. For a box of 1 m at 3 m
-/// and 200 px focal length that is 0.75 mm sideways; along the ray, where the box's size tells, six times that; and
+/// noise the RMS error in the image stays under a twentieth of a pixel, here of some 300 points. For a box of 1 m at 3
+/// m and 200 px focal length that is 0.75 mm sideways; along the ray, where the box's size tells, six times that; and
 /// 10 mrad of tilt, which only foreshortening shows.
 
 namespace {

@@ -110,7 +110,8 @@ TEST(AlignCamera, RefinesAPrediction) {
 }
 
 TEST(AlignCamera, ComesFromFarAwayOverThePyramid) {
-  for (const SE3d& T : {motion(0.4, 0, 0, 0, 0, 0), motion(0, 0, 0, 0, 0.09, 0), motion(0.25, 0, -0.2, 0.05, 0, 0.05)}) {
+  for (const SE3d& T :
+       {motion(0.4, 0, 0, 0, 0, 0), motion(0, 0, 0, 0, 0.09, 0), motion(0.25, 0, -0.2, 0.05, 0, 0.05)}) {
     const Pair pair(T);
     EXPECT_GT(pair.pixels_off(SE3d{}, T), 15);
     expect_exact(pair, pair.align(SE3d{}));
@@ -204,16 +205,15 @@ TEST(AlignCamera, TukeyRanksTheMajorityFirstWhereHuberIsCaptured) {
   Pyramid before, after;
   before.build(reference.grey.view(), kLevels);
   after.build(current.grey.view(), kLevels);
-  const PointSet points =
-      exact_points(reference, camera, before, 4, [](int x, int y) { return x % 16 < 4 || (x > 110 && x < 210 && y > 70); });
+  const PointSet points = exact_points(reference, camera, before, 4,
+                                       [](int x, int y) { return x % 16 < 4 || (x > 110 && x < 210 && y > 70); });
   DirectAligner<> aligner;
   const AlignProblem<Pinhole> problem{points, after, camera};
   const double sigma = aligner.intensity_sigma(problem, {SE3d{}}, 0);
   const auto huber = [&](const SE3d& T) {
     std::vector<dot::PointResidual> residuals;
     const dot::ResidualNoise noise{static_cast<float>(sigma), 0.06f, 1.345f};
-    return aligner.reduction
-        .linearize(points, 0, camera, after.levels[0], {T, 1, 0}, noise, {}, nullptr, residuals)
+    return aligner.reduction.linearize(points, 0, camera, after.levels[0], {T, 1, 0}, noise, {}, nullptr, residuals)
         .cost;
   };
   const auto tukey = [&](const SE3d& T) { return aligner.rank(problem, {T, 1, 0}, 0, sigma); };

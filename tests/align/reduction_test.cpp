@@ -192,8 +192,7 @@ TEST(Reduction, HuberBoundsTheGradient) {
   std::vector<PointResidual> out;
   const PointSet points = one_point(pinhole, 40, 30, 0.25f, 20);  // 90 grey values off
   const ResidualNoise noise{2, 0, 1.345f};
-  const NormalEquations sums =
-      SerialReduction::linearize(points, 0, pinhole, image, {}, noise, {}, nullptr, out);
+  const NormalEquations sums = SerialReduction::linearize(points, 0, pinhole, image, {}, noise, {}, nullptr, out);
   const double e = static_cast<double>(out[0].r) / 2;
   EXPECT_GT(e, 10);
   EXPECT_NEAR(-sums.g[7], 1.345 / 2, 1e-4);  // w r / s^2 = k / s

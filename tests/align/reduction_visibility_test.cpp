@@ -34,8 +34,8 @@ PointResidual residual(const PointSet& points, const SE3d& T, const DepthTerm& d
   Image<std::uint8_t> grey(128 >> level, 96 >> level);
   grey.fill(100);
   std::vector<PointResidual> out;
-  const int seen = SerialReduction::residuals(points, level, camera.at_level(level), grey, AlignState{T, 1, 0}, {},
-                                              depth, out);
+  const int seen =
+      SerialReduction::residuals(points, level, camera.at_level(level), grey, AlignState{T, 1, 0}, {}, depth, out);
   EXPECT_EQ(seen, out[0].seen);
   return out[0];
 }
@@ -112,7 +112,8 @@ TEST(ReductionVisibility, DepthIsReadAtThePixelOfLevelZero) {
   for (const int level : {0, 1})
     for (const int u : {20, 21, 60, 61})
       for (const int v : {30, 31, 50, 51}) {
-        const PointResidual r = residual(point(static_cast<float>(u), static_cast<float>(v), 0.5f), SE3d{}, depth, level);
+        const PointResidual r =
+            residual(point(static_cast<float>(u), static_cast<float>(v), 0.5f), SE3d{}, depth, level);
         ASSERT_TRUE(r.has_depth);
         EXPECT_NEAR(r.r_depth + 0.5f, measured(u, v), 1e-6) << level << ": " << u << ", " << v;
       }

@@ -13,8 +13,8 @@ namespace {
 using dot::huber_cost;
 using dot::huber_weight;
 using dot::mad_sigma;
-using dot::test::Random;
 using dot::tukey_cost;
+using dot::test::Random;
 
 constexpr float k = 1.345f, c = 4.685f;
 

@@ -77,8 +77,7 @@ TEST(DepthNoise, OfUnknownSourceIsRelative) {
 }
 
 TEST(DepthNoise, ScalesMultiplyThePriors) {
-  for (const DepthSource source :
-       {DepthSource::Stereo, DepthSource::Rgbd, DepthSource::Lidar, DepthSource::Unknown}) {
+  for (const DepthSource source : {DepthSource::Stereo, DepthSource::Rgbd, DepthSource::Lidar, DepthSource::Unknown}) {
     DepthNoise noise(settings_of(source), stereo_camera);
     for (const double q : {0.02, 0.3, 1.5}) {
       const double pixel = noise.prior_pixel(q), common = noise.prior_common(q);

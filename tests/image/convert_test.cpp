@@ -59,7 +59,8 @@ TEST_P(ToGrey, WeighsTheRightChannels) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, ToGrey,
-                         ::testing::Values(ColourOrder{PixelFormat::Bgr8, 2, 1, 0}, ColourOrder{PixelFormat::Rgb8, 0, 1, 2},
+                         ::testing::Values(ColourOrder{PixelFormat::Bgr8, 2, 1, 0},
+                                           ColourOrder{PixelFormat::Rgb8, 0, 1, 2},
                                            ColourOrder{PixelFormat::Bgra8, 2, 1, 0}));
 
 TEST(ToGreyOfGrey, IsACopy) {

@@ -128,7 +128,8 @@ TEST(Belief, VelocityTurnsWithTheCameraAndGrowsUncertain) {
   const Matrix3<double> R = dot::so3::exp(Vector3<double>(0, 0.5, 0.1));
   belief.predict(0.1, R, settings);
   EXPECT_TRUE(matrices_match(belief.velocity, Vector3<double>(R * before.velocity), 1e-12));
-  EXPECT_TRUE(matrices_match(Matrix3<double>(belief.covariance), Matrix3<double>(belief.covariance.transpose()), 1e-12));
+  EXPECT_TRUE(
+      matrices_match(Matrix3<double>(belief.covariance), Matrix3<double>(belief.covariance.transpose()), 1e-12));
   const Matrix3<double> grown = R.transpose() * belief.covariance * R - before.covariance;
   const Eigen::SelfAdjointEigenSolver<Matrix3<double>> eigen(grown);
   EXPECT_GE(eigen.eigenvalues()[0], -1e-9);

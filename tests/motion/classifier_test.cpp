@@ -158,7 +158,7 @@ TEST(VelocityClassifier, StateOutlivesTheFitsAndFades) {
         p = d.p_moving;
         if (d.state == won) lasted += object.dt();
       }
-      EXPECT_GT(lasted, 1);    // longer than an occlusion
+      EXPECT_GT(lasted, 1);  // longer than an occlusion
       EXPECT_LT(lasted, 30);
       EXPECT_EQ(d.state, State::NotObservable);
     }

@@ -112,12 +112,10 @@ TEST(DynamicDisparity, LeavesOutWhatIsNotInFront) {
   points.push(0, 0, 0, 0, 0, 0);    // no depth
   points.push(0, 0, 0, 0, 5.f, 0);  // 0.2 m away: the camera passes it
   const DynamicDisparity all = dynamic_disparity(points, camera, T_c, T_o, c, Matrix6<double>::Identity().eval());
-  const DynamicDisparity some =
-      dynamic_disparity(cloud(5, 5), camera, T_c, T_o, c, Matrix6<double>::Identity().eval());
+  const DynamicDisparity some = dynamic_disparity(cloud(5, 5), camera, T_c, T_o, c, Matrix6<double>::Identity().eval());
   EXPECT_EQ(all.median_px, some.median_px);
   EXPECT_EQ(all.noise_px, some.noise_px);
-  const DynamicDisparity none =
-      dynamic_disparity(PointSet{}, camera, T_c, T_o, c, Matrix6<double>::Identity().eval());
+  const DynamicDisparity none = dynamic_disparity(PointSet{}, camera, T_c, T_o, c, Matrix6<double>::Identity().eval());
   EXPECT_EQ(none.median_px, 0);
   EXPECT_EQ(none.noise_px, 0);
 }

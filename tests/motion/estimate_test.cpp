@@ -54,9 +54,8 @@ Vector3<double> seems_at(const Vector6<double>& xi) { return (SE3d::exp(xi) * T_
 
 TEST(CameraShare, FollowsTheDerivative) {
   const Matrix6<double> sigma = some_covariance(3);
-  const Eigen::Matrix<double, 3, 6> A =
-      dot::test::numeric_jacobian<3>([](const Vector6<double>& xi) { return seems_at(xi); },
-                                     Vector6<double>(Vector6<double>::Zero()), 1e-5);
+  const Eigen::Matrix<double, 3, 6> A = dot::test::numeric_jacobian<3>(
+      [](const Vector6<double>& xi) { return seems_at(xi); }, Vector6<double>(Vector6<double>::Zero()), 1e-5);
   EXPECT_TRUE(matrices_match(Matrix3<double>(1e6 * dot::camera_share(sigma, T_c, X)),
                              Matrix3<double>(1e6 * A * sigma * A.transpose()), 1e-6));
 }
@@ -76,7 +75,8 @@ TEST(CameraShare, IsWhatRandomErrorsDo) {
   const Matrix3<double> expected = dot::camera_share(sigma, T_c, X);
   // 4 sigma of an estimated variance: sqrt(2 / n) of it each; relative to the largest entry.
   const double scale = 1 / expected.cwiseAbs().maxCoeff();
-  EXPECT_TRUE(matrices_match(Matrix3<double>(scale * found), Matrix3<double>(scale * expected), 4 * std::sqrt(2.0 / n)));
+  EXPECT_TRUE(
+      matrices_match(Matrix3<double>(scale * found), Matrix3<double>(scale * expected), 4 * std::sqrt(2.0 / n)));
 }
 
 TEST(CameraShare, OfARotationGrowsWithTheRange) {

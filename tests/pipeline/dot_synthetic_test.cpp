@@ -239,33 +239,84 @@ TEST(Camera, OfTheHostIsUsed) {
   }
 }
 
-TEST(Depth, WithoutAnyTheCameraSaysSoAndComesBack) {
+/// Takes all depth away from the frames first to last, in the ways in which a frame may have none.
+void blind(Film<>& film, int first, int last) {
+  film.spoil = [=](int i, Rendering& seen) {
+    if (i < first || i > last) return;
+    seen.depth.fill((i - first) % 2 ? std::numeric_limits<float>::quiet_NaN() : 0.f);
+  };
+}
+
+TEST(Depth, WithoutAnySoFarThereIsNoCameraMotion) {
   Film<> film = street();
   film.camera_path = twisting({0, 0, 2}, {0, 0, 0});
-  film.spoil = [](int i, Rendering& seen) {
-    if (i == 4 || i == 5) seen.depth.fill(i == 4 ? 0.f : std::numeric_limits<float>::quiet_NaN());
-  };
+  blind(film, 0, 2);
   Dot<> dot = make_dot();
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 9; ++i) {
     const Result& result = film.next(dot);
     SCOPED_TRACE(i);
-    // Depth is that of the reference: frame 4 still has its.
-    const bool blind = i == 5 || i == 6;
-    EXPECT_EQ(result.camera.status, i == 0   ? CameraStatus::FirstFrame
-                                    : blind ? CameraStatus::TooLittleDepth
+    // Depth is that of the reference: frame 3 has none before it.
+    EXPECT_EQ(result.camera.status, i == 0  ? CameraStatus::FirstFrame
+                                    : i < 4 ? CameraStatus::TooLittleDepth
                                             : CameraStatus::Tracked);
-    const Vector6<double> e = error_of(result.camera.T_cur_prev, film.T_c());
-    // What constant velocity makes of a constant velocity is as good as an estimate.
-    if (i > 0) { EXPECT_LT(e.norm(), 0.02); }
+    EXPECT_EQ(result.too_little_depth, i < 3);
+    if (i >= 4) { EXPECT_LT(error_of(result.camera.T_cur_prev, film.T_c()).norm(), 0.005); }
     for (const std::uint32_t id : {parked, mover}) {
       const ObjectResult* o = object_on(result, film.truth().ids, id);
       SCOPED_TRACE(describe(o));
       ASSERT_TRUE(o);
       EXPECT_EQ(o->id, id);  // ids of instances that are new in one frame are given in their order
-      if (blind) { EXPECT_EQ(o->reason, Reason::CameraLost); }
-      if (i >= 10) { EXPECT_EQ(o->reason, Reason::None); }
-      if (i >= 10) { EXPECT_EQ(o->state, id == mover ? State::Moving : State::Static); }
+      if (i < 4) { EXPECT_EQ(o->state, State::NotObservable); }
+      if (i > 0 && i < 4) { EXPECT_EQ(o->reason, Reason::CameraLost); }
+      if (i >= 4) { EXPECT_EQ(o->reason, Reason::None); }
+      if (i >= 7) { EXPECT_EQ(o->state, id == mover ? State::Moving : State::Static); }
     }
+  }
+}
+
+TEST(Depth, WithoutAnyForAWhileNothingIsForgotten) {
+  Film<> film = street();
+  film.camera_path = twisting({0, 0, 2}, {0, 0, 0});
+  blind(film, 5, 6);
+  Dot<> dot = make_dot();
+  for (int i = 0; i < 12; ++i) {
+    const Result& result = film.next(dot);
+    SCOPED_TRACE(i);
+    EXPECT_EQ(result.too_little_depth, i == 5 || i == 6);
+    if (i == 0) continue;
+    ASSERT_EQ(result.camera.status, CameraStatus::Tracked);
+    EXPECT_LT(error_of(result.camera.T_cur_prev, film.T_c()).norm(), 0.005);
+    for (const std::uint32_t id : {parked, mover}) {
+      const ObjectResult* o = object_on(result, film.truth().ids, id);
+      SCOPED_TRACE(describe(o));
+      ASSERT_TRUE(o);
+      EXPECT_EQ(o->id, id);
+      if (i >= 5) { EXPECT_EQ(o->state, id == mover ? State::Moving : State::Static); }
+      if (i >= 8 || i <= 5) { EXPECT_EQ(o->reason, Reason::None); }
+    }
+  }
+}
+
+// Glass and black paint: one car never has depth, all else has. It cannot be decided, but it is one car.
+TEST(Depth, WithoutAnyOnAnObjectItKeepsItsId) {
+  Film<> film = street();
+  film.camera_path = twisting({0, 0, 2}, {0, 0, 0});
+  film.spoil = [](int, Rendering& seen) {
+    for (int y = 0; y < seen.ids.height(); ++y)
+      for (int x = 0; x < seen.ids.width(); ++x)
+        if (seen.ids(x, y) == parked) seen.depth(x, y) = 0;
+  };
+  Dot<> dot = make_dot();
+  for (int i = 0; i < 7; ++i) {
+    const Result& result = film.next(dot);
+    SCOPED_TRACE(i);
+    const ObjectResult *blind = object_on(result, film.truth().ids, parked), *other = object_on(result, film.truth().ids, mover);
+    ASSERT_TRUE(blind && other);
+    EXPECT_EQ(blind->id, parked);
+    EXPECT_EQ(blind->state, State::NotObservable);
+    EXPECT_EQ(blind->reason, i == 0 ? Reason::New : Reason::TooLittleDepth) << describe(blind);
+    EXPECT_EQ(other->id, mover);
+    if (i >= 5) { EXPECT_EQ(other->state, State::Moving) << describe(other); }
   }
 }
 

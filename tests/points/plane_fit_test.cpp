@@ -100,7 +100,8 @@ TEST(PlaneFit, UsesOnlyWhatIsAccepted) {
   for (int y = 0; y < 31; ++y)
     for (int x = 0; x < 41; x += 2) q(x, y) += 0.005f;  // inside the gate
   PlaneFit fit;
-  ASSERT_TRUE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.02f, 30, [](int x, int) { return x % 2 == 1; }, fit));
+  ASSERT_TRUE(fit_plane(
+      q.view(), 20, 15, 5, 0.2f, 0.02f, 30, [](int x, int) { return x % 2 == 1; }, fit));
   EXPECT_EQ(fit.inliers, 66);
   EXPECT_NEAR(fit.q, 0.2, 1e-6);
   EXPECT_LT(fit.rms, 1e-6);
@@ -113,7 +114,8 @@ TEST(PlaneFit, RejectsTooFew) {
   q(17, 12) = 0;
   EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.01f, 121, everywhere, fit));
   EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.9f, 0.01f, 30, everywhere, fit));  // nothing at that depth
-  EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.01f, 30, [](int x, int y) { return x < 20 && y < 12; }, fit));
+  EXPECT_FALSE(fit_plane(
+      q.view(), 20, 15, 5, 0.2f, 0.01f, 30, [](int x, int y) { return x < 20 && y < 12; }, fit));
   q.fill(0);
   EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.01f, 30, everywhere, fit));
 }
@@ -121,8 +123,10 @@ TEST(PlaneFit, RejectsTooFew) {
 TEST(PlaneFit, RejectsALine) {
   const Image<float> q = plane_image();
   PlaneFit fit;
-  EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.02f, 5, [](int x, int) { return x == 20; }, fit));
-  EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.02f, 5, [](int x, int y) { return x - 20 == y - 15; }, fit));
+  EXPECT_FALSE(fit_plane(
+      q.view(), 20, 15, 5, 0.2f, 0.02f, 5, [](int x, int) { return x == 20; }, fit));
+  EXPECT_FALSE(fit_plane(
+      q.view(), 20, 15, 5, 0.2f, 0.02f, 5, [](int x, int y) { return x - 20 == y - 15; }, fit));
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ TEST(Selector, SpendsAboutItsBudget) {
   const Fixture f;
   for (const int budget : {100, 500, 3000}) {
     const int found = f.select(whole, budget, everywhere).size();
-    EXPECT_GT(found, budget / 2) << budget;  // nearly every cell of this scene has gradient and depth
+    EXPECT_GT(found, budget / 2) << budget;    // nearly every cell of this scene has gradient and depth
     EXPECT_LT(found, 1.4 * budget) << budget;  // cells of whole pixels
   }
 }
@@ -190,7 +190,8 @@ TEST(Selector, SamplesTheIntensitiesOfEachLevel) {
     const float scale = 1.f / static_cast<float>(1 << l);
     for (std::size_t i = 0; i < points.u.size(); ++i) {
       const float u = (points.u[i] + 0.5f) * scale - 0.5f, v = (points.v[i] + 0.5f) * scale - 0.5f;
-      if (u < 1 || v < 1 || u > static_cast<float>(level.width() - 3) || v > static_cast<float>(level.height() - 3)) continue;
+      if (u < 1 || v < 1 || u > static_cast<float>(level.width() - 3) || v > static_cast<float>(level.height() - 3))
+        continue;
       EXPECT_FLOAT_EQ(points.intensity[l][i], sample(level, u, v).value);
     }
   }

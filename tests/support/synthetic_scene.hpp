@@ -100,10 +100,10 @@ inline Intrinsics small_camera() { return {200, 200, 159.5, 119.5, 320, 240, 0.2
 
 /// What a camera sees, each image of its size.
 struct Rendering {
-  Image<float> intensity;     ///< grey values, exact
-  Image<std::uint8_t> grey;   ///< the same, rounded
-  Image<float> depth;         ///< metres along the optical axis, 0 = none
-  Image<std::uint32_t> ids;   ///< of the bodies, 0 = background
+  Image<float> intensity;    ///< grey values, exact
+  Image<std::uint8_t> grey;  ///< the same, rounded
+  Image<float> depth;        ///< metres along the optical axis, 0 = none
+  Image<std::uint32_t> ids;  ///< of the bodies, 0 = background
 
   /// Fields of a Frame; they borrow this rendering's memory.
   ImageRef image_ref() const { return ref(grey, PixelFormat::Grey8); }
@@ -122,9 +122,8 @@ struct Rendering {
   void round() {
     grey.resize(intensity.width(), intensity.height());
     for (int y = 0; y < grey.height(); ++y)
-      std::transform(intensity.row(y), intensity.row(y) + grey.width(), grey.row(y), [](float value) {
-        return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.f, 255.f)));
-      });
+      std::transform(intensity.row(y), intensity.row(y) + grey.width(), grey.row(y),
+                     [](float value) { return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.f, 255.f))); });
   }
 
  private:
@@ -189,13 +188,13 @@ inline SE3d object_motion(const SE3d& T_world_reference, const SE3d& T_world_bod
 
 /// What is wrong with a view.
 struct Degradation {
-  double gain = 1;           ///< of the exposure: gain I + offset
-  double offset = 0;         ///< grey values
-  double noise = 0;          ///< grey values, 1 sigma of each pixel
-  double depth_noise = 0;    ///< 1/m, 1 sigma of each pixel's inverse depth
-  double missing_depth = 0;  ///< share of the pixels
+  double gain = 1;                             ///< of the exposure: gain I + offset
+  double offset = 0;                           ///< grey values
+  double noise = 0;                            ///< grey values, 1 sigma of each pixel
+  double depth_noise = 0;                      ///< 1/m, 1 sigma of each pixel's inverse depth
+  double missing_depth = 0;                    ///< share of the pixels
   std::map<std::uint32_t, double> depth_bias;  ///< 1/m, on the inverse depth of all pixels of an id
-  int leak = 0;              ///< pixels by which the masks spread over the background around them (square)
+  int leak = 0;  ///< pixels by which the masks spread over the background around them (square)
   unsigned seed = 1;
 };
 

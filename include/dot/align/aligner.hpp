@@ -30,6 +30,16 @@ struct AlignProblem {
   bool centred = false;
   Vector3<double> centroid = Vector3<double>::Zero();     ///< c, camera axes of the reference
   Matrix6<double> prior = Matrix6<double>::Zero();        ///< information of [T_o c - c; log R_o] about zero
+  AlignState photometry{};       ///< expected gain and offset
+  double gain_information = 0;   ///< of the gain about that
+  double offset_information = 0; ///< of the offset about that
+  double hidden_cost = 0;        ///< what a hidden point, or one that left the image, counts when minima are ranked
+
+  /// Cost of gain and offset being unexpected; keeps a flat region from explaining everything by no contrast at all.
+  double photometric_cost(const AlignState& s) const {
+    const double a = s.gain - photometry.gain, b = s.offset - photometry.offset;
+    return 0.5 * (gain_information * a * a + offset_information * b * b);
+  }
 };
 
 /// Result of an alignment.
@@ -64,7 +74,7 @@ struct DirectAligner {
     return a;
   }
 
-  /// Takes outliers by their distance to the fitted line between intensities (paper, section 3.C), refines once more on
+  /// Takes outliers by their distance to the fitted line between intensities (paper, section 3.4), refines once more on
   /// level 0, and fills the statistics.
   template <typename Camera>
   void finish(const AlignProblem<Camera>& problem, Alignment& a) {
@@ -101,7 +111,7 @@ struct DirectAligner {
   }
 
   /// Mean Tukey cost over the visible points of a level, with a given sigma_I; ranks local minima. Includes the depth
-  /// term. Infinite when nothing is visible.
+  /// term and, where the problem sets it, a cost of hidden points. Infinite when nothing is visible.
   template <typename Camera>
   double rank(const AlignProblem<Camera>& problem, const AlignState& state, int level, double sigma_intensity) {
     const Camera camera = problem.camera.at_level(level);
@@ -119,7 +129,10 @@ struct DirectAligner {
       if (p.has_depth && problem.depth.weight > 0)
         sum += static_cast<double>(problem.depth.weight * tukey_cost(p.r_depth / problem.depth.sigma, c));
     }
-    return seen >= 10 ? sum / seen : std::numeric_limits<double>::infinity();
+    if (seen < 10) return std::numeric_limits<double>::infinity();
+    if (problem.hidden_cost <= 0) return sum / seen;
+    const int all = problem.points.size();
+    return (sum + problem.hidden_cost * (all - seen) + problem.photometric_cost(state)) / all;
   }
 
   /// Robust sigma_I of a level at a pose: the value at which the median normalised residual is that of a normal.
@@ -199,6 +212,11 @@ struct DirectAligner {
           g.head<6>() += problem.prior * p;
           cost += 0.5 * p.dot(problem.prior * p) / sums.seen;
         }
+        H(6, 6) += problem.gain_information;
+        H(7, 7) += problem.offset_information;
+        g[6] += problem.gain_information * (a.state.gain - problem.photometry.gain);
+        g[7] += problem.offset_information * (a.state.offset - problem.photometry.offset);
+        cost += problem.photometric_cost(a.state) / sums.seen;
         if (cost > accepted_cost) {
           a.state = accepted;
           a.converged = true;

@@ -6,7 +6,7 @@
 
 namespace dot {
 
-/// Pearson's correlation coefficient phi, accumulated (paper eq. 8): invariant to gain and offset.
+/// Pearson's correlation coefficient phi, accumulated (paper, section 3.4): invariant to gain and offset.
 struct Pearson {
   double n = 0, mean_x = 0, mean_y = 0, xx = 0, xy = 0, yy = 0;
 

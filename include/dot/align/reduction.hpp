@@ -14,7 +14,7 @@
 /// @file
 /// The photometric factor and its reduction: residuals of all points at one pose, and their normal equations.
 ///
-/// Residual (paper eq. 2 and 5, made invariant to exposure): r = I_i(p') - a I_j(p) - b, with p' = Pi(T X), X the point
+/// Residual (paper eq. 3 and 5, made invariant to exposure): r = I_i(p') - a I_j(p) - b, with p' = Pi(T X), X the point
 /// of reference j in camera axes and T = T_i_j. In inverse depth, X~ = q T X = R (x, y, 1) + q t.
 /// Derivatives are taken for a left twist of T: T <- exp(xi) T, xi = [translation; rotation] in the axes of camera i.
 

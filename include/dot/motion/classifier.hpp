@@ -91,7 +91,7 @@ struct SingleFrameClassifier {
   }
 };
 
-/// The paper's rule (section 3.C), with the gate as H < H_max: a badly determined pose has *high* entropy, so the
+/// The paper's rule (section 3.5), with the gate as H < H_max: a badly determined pose has *high* entropy, so the
 /// printed condition H > H_min would reject the best observed objects first; `literal` applies it as printed.
 /// Moving if d_d > f(H) = max(d_min, k d_noise).
 struct EntropyClassifier {

@@ -12,7 +12,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Dynamic disparity (paper, section 3.C): how far the object's own motion moved its points in the image.
+/// Dynamic disparity (paper, section 3.5, eq. 6): how far the object's own motion moved its points in the image.
 struct DynamicDisparity {
   double median_px = 0;  ///< d_d: median distance between a point moved by T_c and by T_c T_o
   double noise_px = 0;   ///< RMS over the points of sqrt(trace(G Sigma_x G')), G = d pixel / d x

@@ -21,7 +21,7 @@ struct MotionEstimate {
   double entropy = 0;             ///< H of Sigma_x, nats
 };
 
-/// Differential entropy of a 6-dof Gaussian, H = 1/2 ln((2 pi e)^6 |Sigma|), nats (paper eq. 6). *High* when the
+/// Differential entropy of a 6-dof Gaussian, H = 1/2 ln((2 pi e)^6 |Sigma|), nats (paper eq. 7). *High* when the
 /// motion is badly determined.
 inline double entropy(const Matrix6<double>& sigma) {
   const Eigen::LDLT<Matrix6<double>> ldlt(sigma);

@@ -30,6 +30,8 @@ struct ObjectSettings {
 struct MotionPriorSettings {
   double rotation = 0.35;        ///< rad/s, 1 sigma, any axis
   double velocity = 40;          ///< m/s, 1 sigma, any axis, about standing still
+  double gain = 0.1;             ///< 1 sigma of an object's gain about the camera's
+  double offset = 10;            ///< grey values, 1 sigma of an object's offset about the camera's
   bool ground_vehicle = false;   ///< turn about the up vector only, move in the ground plane
   double up_x = 0;               ///< up, camera axes (used with ground_vehicle)
   double up_y = -1;

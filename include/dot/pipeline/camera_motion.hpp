@@ -14,7 +14,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Camera motion T_c (paper, section 3.B) that traffic does not capture.
+/// Camera motion T_c (paper, section 3.3) that traffic does not capture.
 ///
 /// The contours of cast shadows lie on the road, outside every mask, with correct depth, and move with their cars; near
 /// asphalt has little else. Under Huber's cost the motion that follows them can be the lower minimum. So several

@@ -23,7 +23,7 @@ struct Instance {
   int y = 0;             ///< pixels
   std::int32_t class_id = -1;
   float score = 1;
-  bool always_dynamic = false;  ///< people and other non-rigid things: always reported as moving (paper, section 5)
+  bool always_dynamic = false;  ///< people and other non-rigid things: always reported as moving (paper, section 3.2)
 };
 
 /// The segmentation of one frame: an id image, or a list of instances that may overlap, or an id image with a list

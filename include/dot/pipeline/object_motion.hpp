@@ -48,7 +48,7 @@ struct ObjectFit {
   bool ok() const { return reason == Reason::None; }
 };
 
-/// Motion T_o of an object with T_c fixed (paper, section 3.B, eq. 4-5), about its centroid, with a weak depth residual
+/// Motion T_o of an object with T_c fixed (paper, section 3.3, eq. 4-5), about its centroid, with a weak depth residual
 /// beside the photometric one, chosen among several starts, checked, and with an honest covariance of its velocity.
 struct ObjectMotionEstimator {
   ObjectSettings settings;
@@ -60,8 +60,11 @@ struct ObjectMotionEstimator {
   ObjectFit fit(const ObjectReference& reference, const ObjectScene<Camera>& scene, const std::vector<SE3d>& starts,
                 const AlignState& photometry, double dt, const Noise& noise, Aligner& aligner) const {
     ObjectFit out;
-    const AlignProblem<Camera> problem = make_problem(reference, scene, dt, noise);
-    if (reference.points.size() < settings.min_points) return out.reason = Reason::TooLittleTexture, out;
+    const AlignProblem<Camera> problem = make_problem(reference, scene, photometry, dt, noise);
+    if (reference.points.size() < settings.min_points) {
+      out.reason = Reason::TooLittleTexture;
+      return out;
+    }
 
     // Levels on which the object still has some structure.
     int top = std::min(reference.points.levels, scene.image.size()) - 1;
@@ -70,20 +73,26 @@ struct ObjectMotionEstimator {
     for (const SE3d& T_o : starts)
       candidates.push_back(
           aligner.align(problem, {problem.T_outer * T_o, photometry.gain, photometry.offset}, top));
-    double least = std::numeric_limits<double>::infinity(), sigma = least;
+    double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
-    Alignment* best = nullptr;
+    // A later start must win by a margin: equal minima should not alternate.
+    std::vector<std::pair<double, Alignment*>> order;
     for (Alignment& a : candidates) {
-      const double cost = aligner.rank(problem, a.state, 0, sigma);
-      if (cost < 0.98 * least || (!best && std::isfinite(cost))) least = cost, best = &a;
+      const double cost = aligner.rank(problem, a.state, 0, sigma) * (order.empty() ? 0.98 : 1);
+      if (std::isfinite(cost)) order.push_back({cost, &a});
     }
-    if (!best) {
-      out.n_points = 0;
-      return out.reason = Reason::LeavesImage, out;
+    std::stable_sort(order.begin(), order.end(), [](const auto& l, const auto& r) { return l.first < r.first; });
+    // The best minimum that holds before the checks; the best of all says why there is none.
+    out.reason = Reason::LeavesImage;
+    for (std::size_t i = 0; i < std::min<std::size_t>(order.size(), 4); ++i) {
+      Alignment& a = *order[i].second;
+      aligner.finish(problem, a);
+      ObjectFit attempt;
+      fill(reference, a, problem, scene, dt, noise, attempt);
+      attempt.reason = check(reference, a, attempt);
+      if (i == 0 || attempt.ok()) out = attempt;
+      if (attempt.ok()) break;
     }
-    aligner.finish(problem, *best);
-    fill(reference, *best, problem, scene, dt, noise, out);
-    out.reason = check(reference, *best, out);
     return out;
   }
 
@@ -92,7 +101,7 @@ struct ObjectMotionEstimator {
   std::vector<SE3d> search(const ObjectReference& reference, const ObjectScene<Camera>& scene,
                            const AlignState& photometry, double dt, const Noise& noise, Aligner& aligner) const {
     if (reference.points.size() < settings.min_points) return {};
-    const AlignProblem<Camera> problem = make_problem(reference, scene, dt, noise);
+    const AlignProblem<Camera> problem = make_problem(reference, scene, photometry, dt, noise);
     const int level = std::min({2, reference.points.levels - 1, scene.image.size() - 1});
     const AlignState still{problem.T_outer, photometry.gain, photometry.offset};
     const double sigma = aligner.intensity_sigma(problem, still, level);
@@ -118,13 +127,17 @@ struct ObjectMotionEstimator {
 
  private:
   template <typename Camera, typename Noise>
-  AlignProblem<Camera> make_problem(const ObjectReference& reference, const ObjectScene<Camera>& scene, double dt,
-                                    const Noise& noise) const {
+  AlignProblem<Camera> make_problem(const ObjectReference& reference, const ObjectScene<Camera>& scene,
+                                    const AlignState& photometry, double dt, const Noise& noise) const {
     AlignProblem<Camera> problem{reference.points, scene.image, scene.camera};
     problem.T_outer = reference.T_cur_ref;
     problem.centred = true;
     problem.centroid = reference.centroid;
     problem.prior = prior_information(dt);
+    problem.photometry = photometry;
+    problem.gain_information = 1 / (prior.gain * prior.gain);
+    problem.offset_information = 1 / (prior.offset * prior.offset);
+    problem.hidden_cost = 1;  // an inlier costs about 0.45, an outlier 3.7
     const double q = 1 / std::max(0.05, reference.centroid.z());
     const double pixel = noise.pixel(q), change = noise.change(q);
     problem.depth.inverse_depth = scene.inverse_depth;

@@ -70,6 +70,8 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(object.reference_seconds);
   DOT_OPTION(motion_prior.rotation);
   DOT_OPTION(motion_prior.velocity);
+  DOT_OPTION(motion_prior.gain);
+  DOT_OPTION(motion_prior.offset);
   DOT_OPTION(motion_prior.ground_vehicle);
   DOT_OPTION(motion_prior.up_x);
   DOT_OPTION(motion_prior.up_y);

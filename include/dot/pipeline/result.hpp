@@ -81,7 +81,7 @@ struct ObjectResult {
   double phi = 0;                               ///< Pearson correlation
   double disparity_px = 0;        ///< d_d: median pixel distance between the points moved by T_c and by T_c T_o
   double disparity_noise_px = 0;  ///< RMS over points of sqrt(trace(G Sigma_x G'))
-  double entropy = 0;             ///< H of Sigma_x, nats (paper eq. 6)
+  double entropy = 0;             ///< H of Sigma_x, nats (paper eq. 7)
   double range = 0;               ///< depth of the centroid, metres
   double interval = 0;            ///< seconds that velocity and T_o span
   int n_points = 0;               ///< points inside the image

@@ -40,6 +40,8 @@ inline void validate(const Options& options) {
   positive("depth_noise.unknown_relative", options.depth_noise.unknown_relative);
   positive("motion_prior.rotation", options.motion_prior.rotation);
   positive("motion_prior.velocity", options.motion_prior.velocity);
+  positive("motion_prior.gain", options.motion_prior.gain);
+  positive("motion_prior.offset", options.motion_prior.offset);
   positive("velocity.v0", options.velocity.v0);
   positive("velocity.prior_speed", options.velocity.prior_speed);
   positive("max_gap", options.max_gap);

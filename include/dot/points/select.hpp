@@ -20,7 +20,7 @@ struct Box {
 };
 
 /// Semi-dense selection: a grid over `box`, in each cell the accepted pixel of strongest gradient, with the depth of
-/// the plane that fits its surroundings (paper, section 3.A: high-gradient pixels).
+/// the plane that fits its surroundings (semi-dense, as in direct odometry).
 ///
 /// A raw depth pixel carries its own noise, and near an edge the depth of something else; the plane has neither. The
 /// error of n pixels averages like that of n / kCorrelatedArea independent ones, as stereo and interpolated depth are

@@ -107,10 +107,12 @@ versions() {
   local version major minor patch number
   version=$(sed -n 's/^#define DOT_VERSION_STRING "\(.*\)"$/\1/p' include/dot/version.hpp)
   [ -n "$version" ] || fail "include/dot/version.hpp has no DOT_VERSION_STRING"
-  grep -q "\"version\": \"$version\"" vcpkg.json || fail "vcpkg.json does not have version $version of include/dot/version.hpp"
+  grep -q "\"version\": \"$version\"" vcpkg.json \
+    || fail "vcpkg.json does not have version $version of include/dot/version.hpp"
   IFS=. read -r major minor patch <<<"$version"
   number=$((major * 1000000 + minor * 1000 + patch))
-  grep -q "^#define DOT_HEADER_VERSION $number$" capi/include/dot/dot.h || fail "capi/include/dot/dot.h: DOT_HEADER_VERSION is not $number"
+  grep -q "^#define DOT_HEADER_VERSION $number$" capi/include/dot/dot.h \
+    || fail "capi/include/dot/dot.h: DOT_HEADER_VERSION is not $number"
   [ -f CHANGELOG.md ] || fail "CHANGELOG.md is missing"
   grep -qE "^## \[?v?${version//./\\.}\]?([ ,(-]|$)" CHANGELOG.md || fail "CHANGELOG.md has no section '## $version'"
   echo "version $version everywhere"

@@ -17,11 +17,13 @@ endfunction()
 
 dot_install_component(headers dot_headers)
 dot_install_component(core dot_core)
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/dot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/dot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        FILES_MATCHING PATTERN "*.hpp")
 
 if(DOT_BUILD_CAPI)
   dot_install_component(capi dot_capi)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/capi/include/dot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/capi/include/dot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+          FILES_MATCHING PATTERN "*.h")
 
   # The paths follow from the place of the .pc file, so that the prefix can be moved; an absolute one is taken as it is.
   foreach(dir INCLUDEDIR LIBDIR)
@@ -45,5 +47,6 @@ endif()
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/dotConfig.cmake.in" "${PROJECT_BINARY_DIR}/dotConfig.cmake"
                               INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/dotConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
-install(FILES "${PROJECT_BINARY_DIR}/dotConfig.cmake" "${PROJECT_BINARY_DIR}/dotConfigVersion.cmake" DESTINATION ${package_dir})
+install(FILES "${PROJECT_BINARY_DIR}/dotConfig.cmake" "${PROJECT_BINARY_DIR}/dotConfigVersion.cmake"
+        DESTINATION ${package_dir})
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/dot)

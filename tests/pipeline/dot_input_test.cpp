@@ -82,71 +82,52 @@ std::string digest(const Result& result) {
 struct BadFrame {
   const char* name;
   const char* field;  // that the message must begin with
-  std::function<void(Frame&)> spoil;
+  std::function<void(Frame&, Instance*)> spoil;  // given the frame's two instances as well
+  bool in_first_frame = true;                    // wrong in the first frame, too
 };
 
-/// A frame with both ways of giving masks, all fields good.
-void fill_instances(Frame& frame, const Image<std::uint8_t>& mask, std::vector<Instance>& list) {
-  list.resize(2);
-  list[0].id = 1;
-  list[1].id = 50;
-  list[1].mask = {mask.row(0), mask.width(), mask.height(), mask.width(), PixelFormat::Grey8};
-  frame.masks->instances = {list.data(), list.size()};
-}
-
-std::vector<Instance> changed_list;  // outlives the frame that a case changes
-
-/// Changes the second instance of a frame.
-std::function<void(Frame&)> instance(const std::function<void(Instance&)>& change) {
-  return [=](Frame& frame) {
-    changed_list.assign(frame.masks->instances.begin(), frame.masks->instances.end());
-    change(changed_list[1]);
-    frame.masks->instances = {changed_list.data(), changed_list.size()};
-  };
-}
-
-std::function<void(Frame&)> motion(const std::function<void(dot::CameraMotion&)>& change) {
-  return [=](Frame& frame) {
+std::function<void(Frame&, Instance*)> motion(const std::function<void(dot::CameraMotion&)>& change) {
+  return [=](Frame& frame, Instance*) {
     frame.camera_motion = dot::CameraMotion{};
     change(*frame.camera_motion);
   };
 }
 
 const std::vector<BadFrame> bad_frames{
-    {"ImageNull", "frame.image", [](Frame& f) { f.image.data = nullptr; }},
-    {"ImageNoWidth", "frame.image", [](Frame& f) { f.image.width = 0; }},
-    {"ImageNegativeHeight", "frame.image", [](Frame& f) { f.image.height = -120; }},
-    {"ImageOtherWidth", "frame.image", [](Frame& f) { f.image.width = 159; }},
-    {"ImageOtherHeight", "frame.image", [](Frame& f) { f.image.height = 60; }},
-    {"ImageFormat", "frame.image", [](Frame& f) { f.image.format = PixelFormat::DepthU16; }},
-    {"ImageUnknownFormat", "frame.image", [](Frame& f) { f.image.format = static_cast<PixelFormat>(200); }},
-    {"ImageStride", "frame.image", [](Frame& f) { f.image.stride = 159; }},
-    {"ImageStrideOfColour", "frame.image", [](Frame& f) { f.image.format = PixelFormat::Bgr8; }},
-    {"ImageNoStride", "frame.image", [](Frame& f) { f.image.stride = 0; }},
-    {"DepthNull", "frame.depth", [](Frame& f) { f.depth = {}; }},
-    {"DepthNoHeight", "frame.depth", [](Frame& f) { f.depth.height = 0; }},
-    {"DepthOtherSize", "frame.depth", [](Frame& f) { f.depth.width = 80; }},
-    {"DepthFormat", "frame.depth", [](Frame& f) { f.depth.format = PixelFormat::Grey8; }},
-    {"DepthStride", "frame.depth", [](Frame& f) { f.depth.stride = 160; }},
+    {"ImageNull", "frame.image", [](Frame& f, Instance*) { f.image.data = nullptr; }},
+    {"ImageNoWidth", "frame.image", [](Frame& f, Instance*) { f.image.width = 0; }},
+    {"ImageNegativeHeight", "frame.image", [](Frame& f, Instance*) { f.image.height = -120; }},
+    {"ImageOtherWidth", "frame.image", [](Frame& f, Instance*) { f.image.width = 159; }},
+    {"ImageOtherHeight", "frame.image", [](Frame& f, Instance*) { f.image.height = 60; }},
+    {"ImageFormat", "frame.image", [](Frame& f, Instance*) { f.image.format = PixelFormat::DepthU16; }},
+    {"ImageUnknownFormat", "frame.image", [](Frame& f, Instance*) { f.image.format = static_cast<PixelFormat>(200); }},
+    {"ImageStride", "frame.image", [](Frame& f, Instance*) { f.image.stride = 159; }},
+    {"ImageStrideOfColour", "frame.image", [](Frame& f, Instance*) { f.image.format = PixelFormat::Bgr8; }},
+    {"ImageNoStride", "frame.image", [](Frame& f, Instance*) { f.image.stride = 0; }},
+    {"DepthNull", "frame.depth", [](Frame& f, Instance*) { f.depth = {}; }},
+    {"DepthNoHeight", "frame.depth", [](Frame& f, Instance*) { f.depth.height = 0; }},
+    {"DepthOtherSize", "frame.depth", [](Frame& f, Instance*) { f.depth.width = 80; }},
+    {"DepthFormat", "frame.depth", [](Frame& f, Instance*) { f.depth.format = PixelFormat::Grey8; }},
+    {"DepthStride", "frame.depth", [](Frame& f, Instance*) { f.depth.stride = 160; }},
     {"DepthNoUnits", "frame.depth",
-     [](Frame& f) { f.depth.format = PixelFormat::DepthU16, f.depth.depth_units_per_metre = 0; }},
+     [](Frame& f, Instance*) { f.depth.format = PixelFormat::DepthU16, f.depth.depth_units_per_metre = 0; }},
     {"DepthNegativeUnits", "frame.depth",
-     [](Frame& f) { f.depth.format = PixelFormat::DepthU16, f.depth.depth_units_per_metre = -256; }},
+     [](Frame& f, Instance*) { f.depth.format = PixelFormat::DepthU16, f.depth.depth_units_per_metre = -256; }},
     {"DepthNanUnits", "frame.depth",
-     [](Frame& f) { f.depth.format = PixelFormat::DepthU16, f.depth.depth_units_per_metre = nan; }},
-    {"TimeNan", "frame.timestamp", [](Frame& f) { f.timestamp = nan; }},
-    {"TimeInfinite", "frame.timestamp", [](Frame& f) { f.timestamp = inf; }},
-    {"TimeEqual", "frame.timestamp", [](Frame& f) { f.timestamp -= 0.1; }},
-    {"TimeBackwards", "frame.timestamp", [](Frame& f) { f.timestamp -= 0.15; }},
-    {"IdsNoWidth", "frame.masks.ids", [](Frame& f) { f.masks->ids.width = 0; }},
-    {"IdsOtherSize", "frame.masks.ids", [](Frame& f) { f.masks->ids.height = 119; }},
-    {"IdsFormat", "frame.masks.ids", [](Frame& f) { f.masks->ids.format = PixelFormat::DepthF32; }},
-    {"IdsStride", "frame.masks.ids", [](Frame& f) { f.masks->ids.stride = 639; }},
-    {"InstanceWithoutMask", "frame.masks.instances[0]", [](Frame& f) { f.masks->ids = {}; }},
+     [](Frame& f, Instance*) { f.depth.format = PixelFormat::DepthU16, f.depth.depth_units_per_metre = nan; }},
+    {"TimeNan", "frame.timestamp", [](Frame& f, Instance*) { f.timestamp = nan; }},
+    {"TimeInfinite", "frame.timestamp", [](Frame& f, Instance*) { f.timestamp = inf; }},
+    {"TimeEqual", "frame.timestamp", [](Frame& f, Instance*) { f.timestamp = 0.1; }, false},
+    {"TimeBackwards", "frame.timestamp", [](Frame& f, Instance*) { f.timestamp = 0.05; }, false},
+    {"IdsNoWidth", "frame.masks.ids", [](Frame& f, Instance*) { f.masks->ids.width = 0; }},
+    {"IdsOtherSize", "frame.masks.ids", [](Frame& f, Instance*) { f.masks->ids.height = 119; }},
+    {"IdsFormat", "frame.masks.ids", [](Frame& f, Instance*) { f.masks->ids.format = PixelFormat::DepthF32; }},
+    {"IdsStride", "frame.masks.ids", [](Frame& f, Instance*) { f.masks->ids.stride = 639; }},
+    {"InstanceWithoutMask", "frame.masks.instances[0]", [](Frame& f, Instance*) { f.masks->ids = {}; }},
     {"InstanceFormat", "frame.masks.instances[1].mask",
-     instance([](Instance& i) { i.mask.format = PixelFormat::Id16; })},
-    {"InstanceStride", "frame.masks.instances[1].mask", instance([](Instance& i) { i.mask.stride = 3; })},
-    {"InstanceNoSize", "frame.masks.instances[1].mask", instance([](Instance& i) { i.mask.height = 0; })},
+     [](Frame&, Instance* i) { i[1].mask.format = PixelFormat::Id16; }},
+    {"InstanceStride", "frame.masks.instances[1].mask", [](Frame&, Instance* i) { i[1].mask.stride = 3; }},
+    {"InstanceNoSize", "frame.masks.instances[1].mask", [](Frame&, Instance* i) { i[1].mask.height = 0; }},
     {"MotionNan", "frame.camera_motion.T_cur_prev", motion([](dot::CameraMotion& m) { m.T_cur_prev[3] = nan; })},
     {"MotionScaled", "frame.camera_motion.T_cur_prev", motion([](dot::CameraMotion& m) { m.T_cur_prev[0] = 1.01; })},
     {"MotionSheared", "frame.camera_motion.T_cur_prev", motion([](dot::CameraMotion& m) { m.T_cur_prev[1] = 0.01; })},
@@ -160,22 +141,26 @@ TEST_P(BadFrameTest, IsRefusedByNameAndChangesNothing) {
   const BadFrame& bad = GetParam();
   Image<std::uint8_t> mask(20, 20);
   mask.fill(1);
-  std::vector<Instance> list;
+  // An id image and a list: one instance of the image, one with a mask of its own.
+  std::vector<Instance> list(2);
+  list[0].id = 1;
+  list[1].id = 50;
+  list[1].mask = {mask.row(0), 20, 20, 20, PixelFormat::Grey8};
   Film<> film = tiny_film();
-  film.edit = [&](int, Frame& frame) { fill_instances(frame, mask, list); };
+  film.edit = [&](int, Frame& frame) { frame.masks->instances = {list.data(), 2}; };
   Tracker tracker(tiny_camera()), twin(tiny_camera());
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 4; ++i) {
     const std::string good = digest(film.next(twin));
-    // Before the first frame, where time cannot run backwards yet, and in the middle.
-    const bool time_ahead = i == 0 && std::string(bad.field) == "frame.timestamp" && bad.name[4] != 'N' && bad.name[4] != 'I';
-    if ((i == 0 || i == 3) && !time_ahead) {
+    if ((i == 0 && bad.in_first_frame) || i == 2) {
       Frame frame = film.frame();
-      bad.spoil(frame);
+      std::vector<Instance> other = list;
+      frame.masks->instances = {other.data(), 2};
+      bad.spoil(frame, other.data());
       const std::string message = refusal([&] { tracker.track(frame); });
       EXPECT_EQ(message.rfind(bad.field, 0), 0u) << "frame " << i << ": " << message;
       EXPECT_GT(message.size(), std::strlen(bad.field) + 5) << message;  // and says what is wrong
     }
-    ASSERT_EQ(digest(tracker.track(film.frame())), good) << "frame " << i;
+    ASSERT_TRUE(digest(tracker.track(film.frame())) == good) << "frame " << i;
   }
 }
 
@@ -190,7 +175,7 @@ TEST(Input, TheLastResultOutlivesARefusal) {
   const std::string before = digest(result);
   Frame frame = film.frame();
   EXPECT_NE(refusal([&] { tracker.track(frame); }), "accepted");  // the same time again
-  EXPECT_EQ(digest(result), before);
+  EXPECT_TRUE(digest(result) == before);
 }
 
 TEST(Input, EveryOptionMustBeFinite) {
@@ -290,7 +275,7 @@ TEST(Input, AnyStrideGivesTheSame) {
       frame.image = image.ref, frame.depth = depth.ref, frame.masks->ids = ids.ref;
       std::string got;
       ASSERT_NO_THROW(got = digest(tracker.track(frame)));
-      EXPECT_EQ(got, expected) << "frame " << i;
+      EXPECT_TRUE(got == expected) << "frame " << i;
     }
   }
 }
@@ -302,27 +287,28 @@ TEST(Input, MasksMayComeInAnyForm) {
   for (int i = 0; i < 5; ++i) {
     const std::string expected = digest(film.next(by_image));
     const Image<std::uint32_t>& ids = film.seen().ids;
-    Image<std::uint8_t> masks[2] = {Image<std::uint8_t>(160, 120), Image<std::uint8_t>(160, 120)}, bytes(160, 120);
+    // The one as a mask of the whole frame, the other as a crop that hangs out of the frame by ten rows.
+    Image<std::uint8_t> whole(160, 120), crop(160, 90), bytes(160, 120);
     Image<std::uint16_t> words(160, 120);
+    crop.fill(1);
     for (int y = 0; y < 120; ++y)
       for (int x = 0; x < 160; ++x) {
         const std::uint32_t id = ids(x, y);
-        masks[0](x, y) = id == 1 ? 255 : 0, masks[1](x, y) = id == 2 ? 1 : 0;
+        whole(x, y) = id == 1 ? 255 : 0;
+        if (y >= 40) crop(x, y - 40) = id == 2 ? 1 : 0;
+        ASSERT_TRUE(y >= 40 || id != 2);
         bytes(x, y) = static_cast<std::uint8_t>(id), words(x, y) = static_cast<std::uint16_t>(id);
       }
     std::vector<Instance> list(2);
-    for (int k = 0; k < 2; ++k) {
-      // The whole frame, and a crop of its lower half that hangs out of the frame by ten empty rows.
-      list[static_cast<std::size_t>(k)].id = static_cast<std::uint32_t>(k + 1);
-      list[static_cast<std::size_t>(k)].mask = {masks[k].row(0), 160, 120, 160, k ? PixelFormat::Id8 : PixelFormat::Grey8};
-    }
+    list[0].id = 1, list[0].mask = {whole.row(0), 160, 120, 160, PixelFormat::Grey8};
+    list[1].id = 2, list[1].mask = {crop.row(0), 160, 90, 160, PixelFormat::Id8}, list[1].y = 40;
     Frame frame = film.frame();
     frame.masks = dot::Masks{{}, {list.data(), list.size()}};
-    EXPECT_EQ(digest(by_list.track(frame)), expected) << "frame " << i;
+    EXPECT_TRUE(digest(by_list.track(frame)) == expected) << "frame " << i;
     frame.masks = dot::Masks{{bytes.row(0), 160, 120, 160, PixelFormat::Id8}, {}};
-    EXPECT_EQ(digest(by_bytes.track(frame)), expected) << "frame " << i;
+    EXPECT_TRUE(digest(by_bytes.track(frame)) == expected) << "frame " << i;
     frame.masks = dot::Masks{{words.row(0), 160, 120, 320, PixelFormat::Id16}, {}};
-    EXPECT_EQ(digest(by_words.track(frame)), expected) << "frame " << i;
+    EXPECT_TRUE(digest(by_words.track(frame)) == expected) << "frame " << i;
   }
 }
 
@@ -343,8 +329,8 @@ TEST(Input, InstancesWithoutPixelsAreNoObjects) {
 TEST(Input, AFrameWithoutObjectsIsFine) {
   Film<> film = tiny_film();
   film.edit = [](int i, Frame& frame) {
+    frame.masks = dot::Masks{};
     if (i % 2) frame.masks.reset();
-    else frame.masks = dot::Masks{};
   };
   Tracker tracker(tiny_camera());
   for (int i = 0; i < 4; ++i) {

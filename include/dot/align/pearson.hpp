@@ -4,7 +4,9 @@
 
 #include <cmath>
 
-namespace dot {
+#include "dot/abi.hpp"
+
+DOT_BEGIN_NAMESPACE
 
 /// Pearson's correlation coefficient phi, accumulated (paper, section 3.4): invariant to gain and offset.
 struct Pearson {
@@ -29,4 +31,4 @@ struct Pearson {
   double intercept() const { return mean_y - slope() * mean_x; }
 };
 
-}  // namespace dot
+DOT_END_NAMESPACE

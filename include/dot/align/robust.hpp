@@ -6,7 +6,9 @@
 #include <cmath>
 #include <vector>
 
-namespace dot {
+#include "dot/abi.hpp"
+
+DOT_BEGIN_NAMESPACE
 
 /// Weight of Huber's cost at e (residual over sigma): 1 inside c, c / |e| beyond.
 inline float huber_weight(float e, float c) {
@@ -37,4 +39,4 @@ inline float mad_sigma(std::vector<float>& scratch) {
   return 1.4826f * *middle;
 }
 
-}  // namespace dot
+DOT_END_NAMESPACE

@@ -7,10 +7,11 @@
 #include <type_traits>
 #include <utility>
 
+#include "dot/abi.hpp"
 #include "dot/camera/intrinsics.hpp"
 #include "dot/camera/settings.hpp"
 
-namespace dot {
+DOT_BEGIN_NAMESPACE
 
 /// @file
 /// Depth noise, a policy of the pipeline. Any struct serves that offers, const and for an inverse depth q in 1/m, these
@@ -80,4 +81,4 @@ inline constexpr bool holds_v<
 template <typename T>
 inline constexpr bool is_depth_noise_v = depth_noise_concept::holds_v<T>;
 
-}  // namespace dot
+DOT_END_NAMESPACE

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "dot/abi.hpp"
 #include "dot/image/image.hpp"
 #include "dot/image/opencv.hpp"
 
 #include <opencv2/imgproc.hpp>
 
-namespace dot {
+DOT_BEGIN_NAMESPACE
 
 /// Luminance of an image of any colour format, 8 bit.
 inline void to_grey(const ImageRef& image, Image<std::uint8_t>& grey) {
@@ -53,4 +54,4 @@ inline int to_inverse_depth(const ImageRef& depth, double max_depth, Image<float
   return valid;
 }
 
-}  // namespace dot
+DOT_END_NAMESPACE

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <vector>
 
+#include "dot/abi.hpp"
 #include "dot/image/image.hpp"
 #include "dot/image/opencv.hpp"
 
 #include <opencv2/imgproc.hpp>
 
-namespace dot {
+DOT_BEGIN_NAMESPACE
 
 /// Grey images, each half the size of the one before. Level 0 is the image after a Gaussian blur that takes the
 /// pixel noise and the aliasing out of the gradients; a pixel of level l + 1 is the mean of 2x2 pixels of level l, so
@@ -63,4 +64,4 @@ inline Sample sample(const Image<std::uint8_t>& image, float u, float v) {
           0.5f * (w00 * (i01 - f(0, -1)) + w10 * (i11 - f(1, -1)) + w01 * (f(0, 2) - i00) + w11 * (f(1, 2) - i10))};
 }
 
-}  // namespace dot
+DOT_END_NAMESPACE

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "dot/abi.hpp"
 #include "dot/mask/hungarian.hpp"
 #include "dot/mask/mask.hpp"
 #include "dot/mask/settings.hpp"
 
-namespace dot {
+DOT_BEGIN_NAMESPACE
 
 /// Which predicted mask each observed one continues: the assignment that minimises the sum of 1 - IoU, over pairs with
 /// IoU >= min_iou, or of which one covers min_containment of the smaller (a mask split, merged or half occluded).
@@ -40,4 +41,4 @@ inline std::vector<int> associate(const std::vector<const Mask*>& predicted, con
   return partner;
 }
 
-}  // namespace dot
+DOT_END_NAMESPACE

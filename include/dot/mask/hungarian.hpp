@@ -8,7 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
-namespace dot {
+#include "dot/abi.hpp"
+
+DOT_BEGIN_NAMESPACE
 
 /// Minimal-cost assignment (Hungarian method with potentials and shortest augmenting paths; Kuhn 1955, Jonker and
 /// Volgenant 1987), O(min^2 max) of rows and columns.
@@ -94,4 +96,4 @@ inline std::vector<int> assign(const std::vector<double>& cost, int rows, int co
   return column;
 }
 
-}  // namespace dot
+DOT_END_NAMESPACE

@@ -10,10 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "dot/abi.hpp"
 #include "dot/image/image.hpp"
 #include "dot/image/view.hpp"
 
-namespace dot {
+DOT_BEGIN_NAMESPACE
 
 /// A set of pixels of a frame, stored as a crop: 0 or 255, (x, y) the frame's pixel of its top left corner.
 ///
@@ -202,4 +203,4 @@ inline double containment(const Mask& a, const Mask& b) {
   return both > 0 ? static_cast<double>(both) / std::min(a.area, b.area) : 0;
 }
 
-}  // namespace dot
+DOT_END_NAMESPACE

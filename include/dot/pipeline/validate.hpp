@@ -9,10 +9,11 @@
 #include <string>
 #include <type_traits>
 
+#include "dot/abi.hpp"
 #include "dot/pipeline/frame.hpp"
 #include "dot/pipeline/options.hpp"
 
-namespace dot {
+DOT_BEGIN_NAMESPACE
 
 /// Throws std::invalid_argument("field: what is wrong").
 [[noreturn]] inline void bad_field(const std::string& field, const std::string& what) {
@@ -106,4 +107,4 @@ inline void validate(const Frame& frame, int width, int height, bool has_previou
   }
 }
 
-}  // namespace dot
+DOT_END_NAMESPACE

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dot/abi.hpp"
 #include "dot/image/view.hpp"
 
-namespace dot {
+DOT_BEGIN_NAMESPACE
 
 /// A plane in space is linear in inverse depth over the image: q(u, v) = q + du (u - u0) + dv (v - v0).
 struct PlaneFit {
@@ -60,4 +61,4 @@ bool fit_plane(ImageView<const float> inverse_depth, int u0, int v0, int radius,
   return fit.q > 0;
 }
 
-}  // namespace dot
+DOT_END_NAMESPACE

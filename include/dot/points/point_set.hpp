@@ -5,7 +5,9 @@
 #include <array>
 #include <vector>
 
-namespace dot {
+#include "dot/abi.hpp"
+
+DOT_BEGIN_NAMESPACE
 
 /// Points of one region of one frame: structure of arrays, all of length size(). They carry their own reference
 /// intensities, so that a frame can be aligned to a past one without keeping its images.
@@ -35,4 +37,4 @@ struct PointSet {
   }
 };
 
-}  // namespace dot
+DOT_END_NAMESPACE

@@ -43,7 +43,10 @@ Vector3<S> random_vector(std::mt19937& random) {
 template <typename S>
 Vector6<S> twist(const Vector3<S>& rho, const Vector3<S>& phi) {
   Vector6<S> xi;
-  xi << rho, phi;
+  for (int i = 0; i < 3; ++i) {  // block assignment makes gcc 12 warn of Eigen's own code (-Warray-bounds)
+    xi(i) = rho(i);
+    xi(3 + i) = phi(i);
+  }
   return xi;
 }
 

@@ -37,7 +37,8 @@ struct SE3 {
   Vector6<S> log() const {
     const Vector3<S> phi = so3::log(R);
     Vector6<S> xi;
-    xi << so3::left_jacobian_inverse(phi) * t, phi;
+    xi.template head<3>() = so3::left_jacobian_inverse(phi) * t;
+    xi.template tail<3>() = phi;
     return xi;
   }
 

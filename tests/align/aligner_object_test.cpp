@@ -234,4 +234,15 @@ TEST(AlignObject, PriorHoldsWhatTheImageDoesNotTell) {
   expect_exact(pair, Pair::align(problem));
 }
 
+TEST(AlignObject, PriorHoldsTheContrast) {
+  Pair pair({0.06, 0.02, 0.1}, Vector3<double>::Zero());
+  Degradation darker;
+  darker.gain = 0.8;
+  pair.use(pair.reference, degraded(pair.current, darker));
+  AlignProblem<Pinhole> problem = pair.problem();
+  EXPECT_NEAR(Pair::align(problem).state.gain, 0.8, 0.01);
+  problem.gain_information = 1e9;
+  EXPECT_NEAR(Pair::align(problem).state.gain, 1, 1e-3);
+}
+
 }  // namespace

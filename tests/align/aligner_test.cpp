@@ -230,4 +230,16 @@ TEST(AlignCamera, RankOfWhatNobodySeesIsInfinite) {
   EXPECT_TRUE(a.state.T.t.allFinite());
 }
 
+TEST(AlignCamera, RankCountsWhatLeavesWhereAsked) {
+  const SE3d T = motion(0, 0, 0, 0, 0.4, 0);  // a quarter of the points leave the view
+  const Pair pair(T);
+  DirectAligner<> aligner;
+  AlignProblem<Pinhole> problem = pair.problem();
+  const double free = aligner.rank(problem, {T}, 0, 5);
+  problem.hidden_cost = 3;
+  const double costly = aligner.rank(problem, {T}, 0, 5);
+  EXPECT_GT(costly, free + 0.5);
+  EXPECT_LT(costly, 3);
+}
+
 }  // namespace

@@ -93,4 +93,15 @@ TEST(DepthNoise, ScalesMultiplyThePriors) {
   }
 }
 
+struct Incomplete {
+  double pixel(double) const { return 1; }
+  double common(double) const { return 1; }
+};
+
+TEST(DepthNoiseConcept, AcceptsDepthNoiseAndNothingElse) {
+  EXPECT_TRUE(dot::is_depth_noise_v<DepthNoise>);
+  EXPECT_FALSE(dot::is_depth_noise_v<Incomplete>);
+  EXPECT_FALSE(dot::is_depth_noise_v<double>);
+}
+
 }  // namespace

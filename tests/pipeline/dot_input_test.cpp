@@ -9,6 +9,7 @@
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <ostream>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -81,9 +82,11 @@ std::string digest(const Result& result) {
 
 struct BadFrame {
   const char* name;
-  const char* field;  // that the message must begin with
+  const char* field;                             // that the message must begin with
   std::function<void(Frame&, Instance*)> spoil;  // given the frame's two instances as well
   bool in_first_frame = true;                    // wrong in the first frame, too
+
+  friend std::ostream& operator<<(std::ostream& out, const BadFrame& bad) { return out << bad.name; }
 };
 
 std::function<void(Frame&, Instance*)> motion(const std::function<void(dot::CameraMotion&)>& change) {
@@ -202,15 +205,31 @@ TEST(Input, OptionsOutOfRangeAreNamed) {
     const char* name;
     double value;
   };
-  for (const Bad& bad : {Bad{"selection.background_points", 0}, {"selection.background_points", -5},
-                         {"selection.object_points", 0}, {"selection.max_depth", 0}, {"selection.max_depth", -1},
-                         {"selection.window_radius", 0}, {"selection.window_radius", 51}, {"align.max_levels", 0},
-                         {"align.max_iterations", 0}, {"align.huber", 0}, {"align.tukey", -4},
-                         {"align.min_intensity_sigma", 0}, {"depth_noise.stereo_sigma_px", 0},
-                         {"depth_noise.unknown_relative", -0.01}, {"motion_prior.rotation", 0},
-                         {"motion_prior.velocity", 0}, {"velocity.v0", 0}, {"velocity.v0", -0.5},
-                         {"velocity.prior_speed", 0}, {"velocity.decide", 0.5}, {"velocity.decide", 1},
-                         {"velocity.keep", 0.4}, {"velocity.keep", 0.99}, {"max_gap", 0}, {"max_gap", -1}}) {
+  for (const Bad& bad : {Bad{"selection.background_points", 0},
+                         {"selection.background_points", -5},
+                         {"selection.object_points", 0},
+                         {"selection.max_depth", 0},
+                         {"selection.max_depth", -1},
+                         {"selection.window_radius", 0},
+                         {"selection.window_radius", 51},
+                         {"align.max_levels", 0},
+                         {"align.max_iterations", 0},
+                         {"align.huber", 0},
+                         {"align.tukey", -4},
+                         {"align.min_intensity_sigma", 0},
+                         {"depth_noise.stereo_sigma_px", 0},
+                         {"depth_noise.unknown_relative", -0.01},
+                         {"motion_prior.rotation", 0},
+                         {"motion_prior.velocity", 0},
+                         {"velocity.v0", 0},
+                         {"velocity.v0", -0.5},
+                         {"velocity.prior_speed", 0},
+                         {"velocity.decide", 0.5},
+                         {"velocity.decide", 1},
+                         {"velocity.keep", 0.4},
+                         {"velocity.keep", 0.99},
+                         {"max_gap", 0},
+                         {"max_gap", -1}}) {
     Options options;
     bool found = false;
     for_each_option(options, [&](const char* name, auto& value) {
@@ -230,10 +249,14 @@ TEST(Input, BadIntrinsicsAreNamed) {
     const char* field;
     std::function<void(Intrinsics&)> spoil;
   };
-  const std::vector<Bad> cases{{"fx", [](Intrinsics& c) { c.fx = 0; }},       {"fx", [](Intrinsics& c) { c.fx = nan; }},
-                               {"fy", [](Intrinsics& c) { c.fy = -100; }},    {"fy", [](Intrinsics& c) { c.fy = inf; }},
-                               {"cx", [](Intrinsics& c) { c.cx = nan; }},     {"cy", [](Intrinsics& c) { c.cy = inf; }},
-                               {"width", [](Intrinsics& c) { c.width = 15; }}, {"height", [](Intrinsics& c) { c.height = 0; }},
+  const std::vector<Bad> cases{{"fx", [](Intrinsics& c) { c.fx = 0; }},
+                               {"fx", [](Intrinsics& c) { c.fx = nan; }},
+                               {"fy", [](Intrinsics& c) { c.fy = -100; }},
+                               {"fy", [](Intrinsics& c) { c.fy = inf; }},
+                               {"cx", [](Intrinsics& c) { c.cx = nan; }},
+                               {"cy", [](Intrinsics& c) { c.cy = inf; }},
+                               {"width", [](Intrinsics& c) { c.width = 15; }},
+                               {"height", [](Intrinsics& c) { c.height = 0; }},
                                {"baseline", [](Intrinsics& c) { c.baseline = -0.1; }},
                                {"baseline", [](Intrinsics& c) { c.baseline = nan; }}};
   for (const Bad& bad : cases) {
@@ -251,7 +274,8 @@ struct Strided {
   ImageRef ref;
 
   Strided(const ImageRef& in, std::ptrdiff_t stride) : ref(in) {
-    const std::size_t row = static_cast<std::size_t>(in.width) * sizeof(T), step = static_cast<std::size_t>(std::abs(stride));
+    const std::size_t row = static_cast<std::size_t>(in.width) * sizeof(T),
+                      step = static_cast<std::size_t>(std::abs(stride));
     bytes.assign(step * static_cast<std::size_t>(in.height), 0xee);
     unsigned char* first = bytes.data() + (stride < 0 ? step * static_cast<std::size_t>(in.height - 1) : 0);
     for (int y = 0; y < in.height; ++y)
@@ -338,7 +362,9 @@ TEST(Input, AFrameWithoutObjectsIsFine) {
     EXPECT_TRUE(result.objects.empty());
     for (int y = 0; y < 120; ++y)
       for (int x = 0; x < 160; ++x) ASSERT_EQ(result.labels(x, y) + result.ids(x, y), 0u);
-    if (i > 0) { EXPECT_EQ(result.camera.status, dot::CameraStatus::Tracked); }
+    if (i > 0) {
+      EXPECT_EQ(result.camera.status, dot::CameraStatus::Tracked);
+    }
   }
 }
 

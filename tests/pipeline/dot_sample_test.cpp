@@ -28,15 +28,15 @@ const Sample& sample() {
   return loaded;
 }
 
-constexpr int min_pixels = 200;   // of an object in a frame and in the one before: smaller ones do not count
-constexpr double min_speed = 1;   // m/s; what is slower but not parked is left out
+constexpr int min_pixels = 200;  // of an object in a frame and in the one before: smaller ones do not count
+constexpr double min_speed = 1;  // m/s; what is slower but not parked is left out
 
 /// Counts over a run.
 struct Score {
-  int true_moving = 0, false_moving = 0, missed_moving = 0;    // objects times frames
-  std::map<int, std::pair<int, int>> parked;                   // by true id: frames said moving, of frames
+  int true_moving = 0, false_moving = 0, missed_moving = 0;  // objects times frames
+  std::map<int, std::pair<int, int>> parked;                 // by true id: frames said moving, of frames
   int static_kept = 0, parked_frames = 0;
-  int both = 0, said_only = 0, truth_only = 0;                 // pixels
+  int both = 0, said_only = 0, truth_only = 0;  // pixels
   std::vector<double> camera_cm;
 
   void add(int i, const Result& result) {

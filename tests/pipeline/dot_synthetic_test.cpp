@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <ostream>
 #include <vector>
 
 #include "dot/camera/radtan.hpp"
@@ -57,10 +58,12 @@ Dot<> make_dot(const Options& options = {}) { return Dot<>(Pinhole(small_camera(
 
 struct CameraCase {
   const char* name;
-  Vector3<double> velocity;       // m/s
-  Vector3<double> rotation;       // degrees per second
+  Vector3<double> velocity;  // m/s
+  Vector3<double> rotation;  // degrees per second
   double gain_per_frame, offset_per_frame, noise;
   double max_cm, max_degrees;
+
+  friend std::ostream& operator<<(std::ostream& out, const CameraCase& c) { return out << c.name; }
 };
 
 class CameraMotion : public testing::TestWithParam<CameraCase> {};
@@ -100,21 +103,20 @@ TEST_P(CameraMotion, IsRecovered) {
     const Eigen::Map<const dot::Matrix6<double>> C(result.camera.covariance.data());
     chi2 += e.dot(C.ldlt().solve(e)) / 7;
   }
-  // Six when the covariance is honest; neighbouring points are not independent, which VelocitySettings::camera_scale, 4,
-  // has to cover.
+  // Six when the covariance is honest; neighbouring points are not independent, which VelocitySettings::camera_scale,
+  // 4, has to cover.
   EXPECT_LT(chi2, 24);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Dot, CameraMotion,
-    testing::Values(CameraCase{"Standing", {0, 0, 0}, {0, 0, 0}, 1, 0, 0, 0.1, 0.02},
-                    CameraCase{"Forward", {0, 0, 3}, {0, 0, 0}, 1, 0, 0, 0.3, 0.03},
-                    CameraCase{"Sideways", {1.5, 0.2, 0}, {0, 0, 0}, 1, 0, 0, 0.3, 0.03},
-                    CameraCase{"Rotation", {0, 0, 0}, {4, 20, 3}, 1, 0, 0, 0.3, 0.03},
-                    CameraCase{"Both", {1, 0, 2}, {2, 10, 2}, 1, 0, 0, 0.3, 0.03},
-                    CameraCase{"GainDrift", {0.5, 0, 2}, {0, 5, 0}, 0.96, 3, 0, 0.3, 0.03},
-                    CameraCase{"Noise", {0.5, 0, 2}, {0, 5, 0}, 1, 0, 4, 0.8, 0.05}),
-    [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(Dot, CameraMotion,
+                         testing::Values(CameraCase{"Standing", {0, 0, 0}, {0, 0, 0}, 1, 0, 0, 0.1, 0.02},
+                                         CameraCase{"Forward", {0, 0, 3}, {0, 0, 0}, 1, 0, 0, 0.3, 0.03},
+                                         CameraCase{"Sideways", {1.5, 0.2, 0}, {0, 0, 0}, 1, 0, 0, 0.3, 0.03},
+                                         CameraCase{"Rotation", {0, 0, 0}, {4, 20, 3}, 1, 0, 0, 0.3, 0.03},
+                                         CameraCase{"Both", {1, 0, 2}, {2, 10, 2}, 1, 0, 0, 0.3, 0.03},
+                                         CameraCase{"GainDrift", {0.5, 0, 2}, {0, 5, 0}, 0.96, 3, 0, 0.3, 0.03},
+                                         CameraCase{"Noise", {0.5, 0, 2}, {0, 5, 0}, 1, 0, 4, 0.8, 0.05}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Camera, IsRecoveredThroughALensWithDistortion) {
   const dot::RadTan lens(small_camera(), {-0.2, 0.05, 1e-3, -5e-4, 0});
@@ -150,8 +152,8 @@ TEST(Object, MotionIsRecovered) {
       ASSERT_TRUE(o && o->reason == Reason::None);
       // A fiftieth of a pixel at 7 m is 0.7 mm sideways; along the ray a car 50 px wide scales by that for 6 mm.
       EXPECT_LT(shift_error(*o, film.T_o(id), film.before(id)).norm(), 0.01);
-      const Vector3<double> w = dot::so3::log(
-          dot::Matrix3<double>(film.T_o(id).R.transpose() * SE3d::from_row_major(o->T_o).R));
+      const Vector3<double> w =
+          dot::so3::log(dot::Matrix3<double>(film.T_o(id).R.transpose() * SE3d::from_row_major(o->T_o).R));
       EXPECT_LT(w.norm(), 1.5 * degree);
       EXPECT_NEAR(o->speed, id == mover ? 2 : 0, 0.2);
       EXPECT_NEAR(o->range, film.before(id).z(), 1.0);
@@ -235,7 +237,8 @@ TEST(Camera, OfTheHostIsUsed) {
     EXPECT_LT(error_of(result.camera.T_cur_prev, film.T_c()).norm(), 1e-9);
     EXPECT_EQ(result.camera.covariance, motion.covariance);
     if (i < 5) continue;
-    const ObjectResult *still = object_on(result, film.truth().ids, parked), *moves = object_on(result, film.truth().ids, mover);
+    const ObjectResult *still = object_on(result, film.truth().ids, parked),
+                       *moves = object_on(result, film.truth().ids, mover);
     EXPECT_TRUE(still && still->state == State::Static) << describe(still);
     EXPECT_TRUE(moves && moves->state == State::Moving) << describe(moves);
   }
@@ -262,16 +265,26 @@ TEST(Depth, WithoutAnySoFarThereIsNoCameraMotion) {
                                     : i < 4 ? CameraStatus::TooLittleDepth
                                             : CameraStatus::Tracked);
     EXPECT_EQ(result.too_little_depth, i < 3);
-    if (i >= 4) { EXPECT_LT(error_of(result.camera.T_cur_prev, film.T_c()).norm(), 0.005); }
+    if (i >= 4) {
+      EXPECT_LT(error_of(result.camera.T_cur_prev, film.T_c()).norm(), 0.005);
+    }
     for (const std::uint32_t id : {parked, mover}) {
       const ObjectResult* o = object_on(result, film.truth().ids, id);
       SCOPED_TRACE(describe(o));
       ASSERT_TRUE(o);
       EXPECT_EQ(o->id, id);  // ids of instances that are new in one frame are given in their order
-      if (i < 4) { EXPECT_EQ(o->state, State::NotObservable); }
-      if (i > 0 && i < 4) { EXPECT_EQ(o->reason, Reason::CameraLost); }
-      if (i >= 4) { EXPECT_EQ(o->reason, Reason::None); }
-      if (i >= 7) { EXPECT_EQ(o->state, id == mover ? State::Moving : State::Static); }
+      if (i < 4) {
+        EXPECT_EQ(o->state, State::NotObservable);
+      }
+      if (i > 0 && i < 4) {
+        EXPECT_EQ(o->reason, Reason::CameraLost);
+      }
+      if (i >= 4) {
+        EXPECT_EQ(o->reason, Reason::None);
+      }
+      if (i >= 7) {
+        EXPECT_EQ(o->state, id == mover ? State::Moving : State::Static);
+      }
     }
   }
 }
@@ -293,8 +306,12 @@ TEST(Depth, WithoutAnyForAWhileNothingIsForgotten) {
       SCOPED_TRACE(describe(o));
       ASSERT_TRUE(o);
       EXPECT_EQ(o->id, id);
-      if (i >= 5) { EXPECT_EQ(o->state, id == mover ? State::Moving : State::Static); }
-      if (i >= 8 || i <= 5) { EXPECT_EQ(o->reason, Reason::None); }
+      if (i >= 5) {
+        EXPECT_EQ(o->state, id == mover ? State::Moving : State::Static);
+      }
+      if (i >= 8 || i <= 5) {
+        EXPECT_EQ(o->reason, Reason::None);
+      }
     }
   }
 }
@@ -312,20 +329,27 @@ TEST(Depth, WithoutAnyOnAnObjectItKeepsItsId) {
   for (int i = 0; i < 7; ++i) {
     const Result& result = film.next(dot);
     SCOPED_TRACE(i);
-    const ObjectResult *blind = object_on(result, film.truth().ids, parked), *other = object_on(result, film.truth().ids, mover);
+    const ObjectResult *blind = object_on(result, film.truth().ids, parked),
+                       *other = object_on(result, film.truth().ids, mover);
     ASSERT_TRUE(blind && other);
     EXPECT_EQ(blind->id, parked);
     EXPECT_EQ(blind->state, State::NotObservable);
     EXPECT_EQ(blind->reason, i == 0 ? Reason::New : Reason::TooLittleDepth) << describe(blind);
     EXPECT_EQ(other->id, mover);
-    if (i >= 5) { EXPECT_EQ(other->state, State::Moving) << describe(other); }
+    if (i >= 5) {
+      EXPECT_EQ(other->state, State::Moving) << describe(other);
+    }
   }
 }
 
 TEST(Depth, PixelsThatAreNoMeasurementAreAllAlike) {
-  const float bad[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
-                       -std::numeric_limits<float>::infinity(), -3.f, std::numeric_limits<float>::max(),
-                       std::numeric_limits<float>::denorm_min(), -0.f};
+  const float bad[] = {std::numeric_limits<float>::quiet_NaN(),
+                       std::numeric_limits<float>::infinity(),
+                       -std::numeric_limits<float>::infinity(),
+                       -3.f,
+                       std::numeric_limits<float>::max(),
+                       std::numeric_limits<float>::denorm_min(),
+                       -0.f};
   Film<> film = street();
   film.camera_path = twisting({0, 0, 2}, {0, 0, 0});
   film.degradation.missing_depth = 0.1;
@@ -367,9 +391,15 @@ TEST(Time, AGapDropsReferencesAndKeepsIds) {
       SCOPED_TRACE(describe(o));
       ASSERT_TRUE(o);
       EXPECT_EQ(o->id, id);
-      if (i == 6) { EXPECT_EQ(o->reason, Reason::NoReference); }
-      if (i == 7) { EXPECT_EQ(o->reason, Reason::None); }
-      if (i >= 4) { EXPECT_EQ(o->state, id == mover ? State::Moving : State::Static); }
+      if (i == 6) {
+        EXPECT_EQ(o->reason, Reason::NoReference);
+      }
+      if (i == 7) {
+        EXPECT_EQ(o->reason, Reason::None);
+      }
+      if (i >= 4) {
+        EXPECT_EQ(o->state, id == mover ? State::Moving : State::Static);
+      }
     }
   }
 }

@@ -162,7 +162,8 @@ std::pair<State, State> last_states(const Options& options, double speed) {
   std::pair<State, State> out;
   for (int i = 0; i < 8; ++i) {
     const Result& result = film.next(tracker);
-    const ObjectResult *parked = object_on(result, film.truth().ids, 1), *mover = object_on(result, film.truth().ids, 2);
+    const ObjectResult *parked = object_on(result, film.truth().ids, 1),
+                       *mover = object_on(result, film.truth().ids, 2);
     out = {parked ? parked->state : State::Background, mover ? mover->state : State::Background};
   }
   return out;

@@ -57,9 +57,9 @@ class Film {
   Degradation degradation;  ///< its seed is advanced with each frame
   double interval = 0.1;    ///< seconds between frames
 
-  std::function<void(int, Scene&)> direct;    ///< changes the scene of a frame before it is rendered
-  std::function<void(int, Rendering&)> spoil; ///< changes the pixels of a frame
-  std::function<void(int, Frame&)> edit;      ///< changes the fields of a frame
+  std::function<void(int, Scene&)> direct;     ///< changes the scene of a frame before it is rendered
+  std::function<void(int, Rendering&)> spoil;  ///< changes the pixels of a frame
+  std::function<void(int, Frame&)> edit;       ///< changes the fields of a frame
 
   /// Adds a car of this id on its path.
   void add(std::uint32_t id, Path path) {
@@ -94,7 +94,7 @@ class Film {
     return pipeline.track(advance());
   }
 
-  int index() const { return index_; }         ///< of the current frame, -1 before the first
+  int index() const { return index_; }  ///< of the current frame, -1 before the first
   const Frame& frame() const { return frame_; }
   const Rendering& truth() const { return truth_; }
   const Rendering& seen() const { return seen_; }
@@ -161,8 +161,8 @@ inline const ObjectResult* object_on(const Result& result, const Image<std::uint
 inline std::string describe(const ObjectResult* o) {
   if (!o) return "no track";
   return "track " + std::to_string(o->id) + " " + to_string(o->state) + " p " + std::to_string(o->p_moving) + " v (" +
-         std::to_string(o->velocity[0]) + ", " + std::to_string(o->velocity[1]) + ", " + std::to_string(o->velocity[2]) +
-         ") " + to_string(o->reason);
+         std::to_string(o->velocity[0]) + ", " + std::to_string(o->velocity[1]) + ", " +
+         std::to_string(o->velocity[2]) + ") " + to_string(o->reason);
 }
 
 }  // namespace dot::test

@@ -28,7 +28,7 @@ struct Sample {
   struct View {
     double timestamp = 0;
     cv::Mat image, depth, masks;
-    cv::Mat instance;             ///< true ids, CV_16UC1
+    cv::Mat instance;  ///< true ids, CV_16UC1
     SE3d T_world_camera;
     std::map<int, double> speed;  ///< by true id, m/s; 0 when parked
   };

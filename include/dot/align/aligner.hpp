@@ -130,9 +130,10 @@ struct DirectAligner {
         sum += static_cast<double>(problem.depth.weight * tukey_cost(p.r_depth / problem.depth.sigma, c));
     }
     if (seen < 10) return std::numeric_limits<double>::infinity();
+    sum += problem.photometric_cost(state);
     if (problem.hidden_cost <= 0) return sum / seen;
     const int all = problem.points.size();
-    return (sum + problem.hidden_cost * (all - seen) + problem.photometric_cost(state)) / all;
+    return (sum + problem.hidden_cost * (all - seen)) / all;
   }
 
   /// Robust sigma_I of a level at a pose: the value at which the median normalised residual is that of a normal.

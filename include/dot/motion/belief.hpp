@@ -68,7 +68,7 @@ struct Belief {
       moves = 0.9 * hypothesis(v, V, velocity, covariance, v0) + 0.1 * moves_fresh;
     moves = (1 - s.outliers) * moves + outlier;
 
-    const double cap = s.max_evidence_rate * e.interval / e.intervals;
+    const double cap = std::min(s.max_evidence_rate * e.interval / e.intervals, s.max_evidence);
     const double evidence = (std::log(moves + 1e-300) - std::log(stands + 1e-300)) / std::sqrt(e.intervals);
     log_odds = std::clamp(log_odds + std::clamp(evidence, -cap, cap), -s.max_log_odds, s.max_log_odds);
 

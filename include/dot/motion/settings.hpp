@@ -52,6 +52,7 @@ struct VelocitySettings {
   double acceleration = 3;       ///< m/s^2, of movers
   double outliers = 0.02;        ///< share of fits that are wrong
   double max_evidence_rate = 40; ///< 1/s, log odds that time can bring
+  double max_evidence = 4;       ///< log odds that one fit can bring: it may be wrong as a whole
   double max_log_odds = 6;
 };
 

@@ -88,6 +88,7 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(velocity.acceleration);
   DOT_OPTION(velocity.outliers);
   DOT_OPTION(velocity.max_evidence_rate);
+  DOT_OPTION(velocity.max_evidence);
   DOT_OPTION(velocity.max_log_odds);
   DOT_OPTION(entropy.max_entropy);
   DOT_OPTION(entropy.min_entropy);

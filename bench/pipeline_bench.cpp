@@ -23,8 +23,8 @@ struct Sample {
     double fps = 10;
     std::FILE* file = std::fopen((folder + "/intrinsics.txt").c_str(), "r");
     if (!file) return;
-    if (std::fscanf(file, "%lf %lf %lf %lf %d %d %lf %lf", &camera.fx, &camera.fy, &camera.cx, &camera.cy, &camera.width,
-                    &camera.height, &camera.baseline, &fps) != 8)
+    if (std::fscanf(file, "%lf %lf %lf %lf %d %d %lf %lf", &camera.fx, &camera.fy, &camera.cx, &camera.cy,
+                    &camera.width, &camera.height, &camera.baseline, &fps) != 8)
       camera = {};
     std::fclose(file);
     for (int i = 0; camera.width > 0; ++i) {
@@ -77,4 +77,3 @@ void BM_Track(benchmark::State& state) {
 BENCHMARK(BM_Track)->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond)->Iterations(96);
 
 }  // namespace
-

@@ -20,7 +20,8 @@ struct ChosenClassifier {
   };
 
   Decision operator()(Memory& m, const MotionEstimate* fit, const Matrix3<double>& R_cur_prev, double dt) const {
-    if (const auto* entropy = std::get_if<EntropyClassifier>(&policy)) return (*entropy)(m.entropy, fit, R_cur_prev, dt);
+    if (const auto* entropy = std::get_if<EntropyClassifier>(&policy))
+      return (*entropy)(m.entropy, fit, R_cur_prev, dt);
     return std::get<VelocityClassifier>(policy)(m.velocity, fit, R_cur_prev, dt);
   }
 };

@@ -60,12 +60,12 @@ TYPED_TEST(PinholeOf, JacobianIsTheDerivative) {
     check.step = static_cast<S>(depth * (std::is_same_v<S, double> ? 1e-5 : 1e-2));
     for (int v = 0; v < street.height; v += 47)
       for (int u = 0; u < street.width; u += 83) {
-        const Vector3<S> X =
-            static_cast<S>(depth) * camera.unproject(Vector2<S>(static_cast<S>(u), static_cast<S>(v)));
+        const Vector3<S> X = static_cast<S>(depth) * camera.unproject(Vector2<S>(static_cast<S>(u), static_cast<S>(v)));
         Eigen::Matrix<S, 2, 3> J;
         const Vector2<S> pixel = camera.project(X, &J);
         EXPECT_LE((pixel - camera.project(X)).norm(), S(4000) * Eigen::NumTraits<S>::epsilon());
-        EXPECT_TRUE(jacobian_matches(J, [&](const Vector3<S>& p) { return camera.project(p); }, X, check));
+        EXPECT_TRUE(jacobian_matches(
+            J, [&](const Vector3<S>& p) { return camera.project(p); }, X, check));
       }
   }
 }

@@ -116,7 +116,8 @@ TYPED_TEST(RadTanOf, JacobianIsTheDerivative) {
           Eigen::Matrix<S, 2, 3> J;
           const Vector2<S> pixel = camera.project(X, &J);
           EXPECT_LE((pixel - camera.project(X)).norm(), S(2000) * Eigen::NumTraits<S>::epsilon());
-          EXPECT_TRUE(jacobian_matches(J, [&](const Vector3<S>& p) { return camera.project(p); }, X, check))
+          EXPECT_TRUE(jacobian_matches(
+              J, [&](const Vector3<S>& p) { return camera.project(p); }, X, check))
               << "lens " << lens << " pixel " << at.transpose();
         }
     }

@@ -35,8 +35,8 @@ template <typename S>
 std::vector<Vector3<S>> samples() {
   std::mt19937 random(7);
   std::vector<Vector3<S>> all{Vector3<S>::Zero(), Vector3<S>(S(pi), 0, 0), Vector3<S>(0, S(-pi), 0)};
-  const double angles[] = {1e-12, 1e-8,   1e-5, 1e-4,      1e-3,      1e-2,      0.1,       0.5,
-                           0.999, 1 + 1e-9, 1.5, pi / 2, 2.5, pi - 1e-2, pi - 1e-3, pi - 1e-5, pi - 1e-7, pi - 1e-9};
+  const double angles[] = {1e-12,    1e-8, 1e-5,   1e-4, 1e-3,      1e-2,      0.1,       0.5,       0.999,
+                           1 + 1e-9, 1.5,  pi / 2, 2.5,  pi - 1e-2, pi - 1e-3, pi - 1e-5, pi - 1e-7, pi - 1e-9};
   for (const double angle : angles)
     for (int i = 0; i < 6; ++i) all.push_back(static_cast<S>(angle) * random_vector<S>(random).normalized());
   for (int i = 0; i < 50; ++i) all.push_back(S(1.7) * random_vector<S>(random));

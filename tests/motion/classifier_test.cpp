@@ -131,15 +131,26 @@ TEST(VelocityClassifier, ParkedThatDrivesOffFlipsWithinHalfASecond) {
     }
 }
 
-TEST(VelocityClassifier, RadialVelocityThatIsNotMeasuredDecidesNothing) {
-  // The sideways velocity is known to be zero. That is what parked cars and those that come straight at us have in
-  // common: neither must be called static on it, nor moving.
+TEST(VelocityClassifier, RadialVelocityThatIsNotMeasuredNeverMakesAMover) {
+  // The sideways velocity is known to be zero: parked cars and those that come straight at us have that in common.
   for (const double rate : kRates)
-    for (const Vector3<double>& v : {parked, Vector3<double>(0, 0, -8), Vector3<double>(0, 0, 12)}) {
-      const Shares shares = watch(rate, 1, v, {0.1, 20});
-      EXPECT_LT(shares.still, 0.1) << rate << " Hz, " << v.transpose();
-      EXPECT_LT(shares.moving, 0.1) << rate << " Hz, " << v.transpose();
+    for (const Vector3<double>& v : {parked, Vector3<double>(0, 0, -8), Vector3<double>(0, 0, 12)})
+      EXPECT_LT(watch(rate, 1, v, {0.1, 20}).moving, 0.1) << rate << " Hz, " << v.transpose();
+}
+
+TEST(VelocityClassifier, WhatComesStraightAtUsIsFoundOutOnceThatIsMeasured) {
+  // Whatever a second without radial measurement made of it.
+  for (const double rate : kRates) {
+    int late = 0;
+    for (unsigned seed = 0; seed < 100; ++seed) {
+      Watch object(rate, seed);
+      for (int i = 0; i < rate; ++i) object.see({0, 0, -8}, {0.1, 20});
+      State state = State::NotObservable;
+      for (int i = 0; i < rate; ++i) state = object.see({0, 0, -8}, {0.1, 1}).state;
+      late += state != State::Moving;
     }
+    EXPECT_LE(late, 2) << rate << " Hz";
+  }
 }
 
 TEST(VelocityClassifier, StateOutlivesTheFitsAndFades) {

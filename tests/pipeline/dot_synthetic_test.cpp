@@ -222,7 +222,7 @@ TEST(Camera, OfTheHostIsUsed) {
     motion.T_cur_prev = film.T_c().row_major();
     frame.camera_motion = motion;
   };
-  // The background tells nothing here: one depth in all of it, and no texture to speak of.
+  // The background tells nothing here: it has no texture at all.
   film.spoil = [](int, Rendering& seen) {
     for (int y = 0; y < seen.ids.height(); ++y)
       for (int x = 0; x < seen.ids.width(); ++x)

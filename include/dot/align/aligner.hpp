@@ -28,12 +28,12 @@ struct AlignProblem {
   DepthTerm depth{};
   SE3d T_outer{};
   bool centred = false;
-  Vector3<double> centroid = Vector3<double>::Zero();     ///< c, camera axes of the reference
-  Matrix6<double> prior = Matrix6<double>::Zero();        ///< information of [T_o c - c; log R_o] about zero
-  AlignState photometry{};       ///< expected gain and offset
-  double gain_information = 0;   ///< of the gain about that
-  double offset_information = 0; ///< of the offset about that
-  double hidden_cost = 0;        ///< what a hidden point, or one that left the image, counts when minima are ranked
+  Vector3<double> centroid = Vector3<double>::Zero();  ///< c, camera axes of the reference
+  Matrix6<double> prior = Matrix6<double>::Zero();     ///< information of [T_o c - c; log R_o] about zero
+  AlignState photometry{};                             ///< expected gain and offset
+  double gain_information = 0;                         ///< of the gain about that
+  double offset_information = 0;                       ///< of the offset about that
+  double hidden_cost = 0;  ///< what a hidden point, or one that left the image, counts when minima are ranked
 
   /// Cost of gain and offset being unexpected; keeps a flat region from explaining everything by no contrast at all.
   double photometric_cost(const AlignState& s) const {
@@ -48,9 +48,9 @@ struct Alignment {
   Matrix8 H = Matrix8::Zero();  ///< information of [x; a; b], prior included
   Matrix8 covariance = Matrix8::Zero();
   std::array<Vector8, 4> depth_modes{};  ///< x that a unit of each depth error mode causes (NormalEquations::modes)
-  double sigma_intensity = 0;   ///< grey values, level 0
+  double sigma_intensity = 0;            ///< grey values, level 0
   double normalised_variance = 0;
-  double phi = 0;               ///< Pearson correlation of the inliers
+  double phi = 0;  ///< Pearson correlation of the inliers
   int inside = 0, seen = 0, occluded = 0, inliers = 0;
   int with_depth = 0, depth_agrees = 0;  ///< seen points with measured depth; those that agree with the prediction
   int iterations = 0;
@@ -117,8 +117,8 @@ struct DirectAligner {
     const Camera camera = problem.camera.at_level(level);
     ResidualNoise noise{static_cast<float>(sigma_intensity), static_cast<float>(settings.gradient_noise),
                         static_cast<float>(settings.huber)};
-    reduction.residuals(problem.points, level, camera, problem.image.levels[static_cast<std::size_t>(level)], state, noise,
-                        problem.depth, residuals_);
+    reduction.residuals(problem.points, level, camera, problem.image.levels[static_cast<std::size_t>(level)], state,
+                        noise, problem.depth, residuals_);
     double sum = 0;
     int seen = 0;
     const float s2 = noise.sigma_intensity * noise.sigma_intensity, c = static_cast<float>(settings.tukey);
@@ -141,8 +141,8 @@ struct DirectAligner {
   double intensity_sigma(const AlignProblem<Camera>& problem, const AlignState& state, int level) {
     const Camera camera = problem.camera.at_level(level);
     ResidualNoise noise{1, static_cast<float>(settings.gradient_noise), static_cast<float>(settings.huber)};
-    reduction.residuals(problem.points, level, camera, problem.image.levels[static_cast<std::size_t>(level)], state, noise,
-                        problem.depth, residuals_);
+    reduction.residuals(problem.points, level, camera, problem.image.levels[static_cast<std::size_t>(level)], state,
+                        noise, problem.depth, residuals_);
     return scale_of_residuals();
   }
 
@@ -164,7 +164,8 @@ struct DirectAligner {
       const float s2 = static_cast<float>(sigma * sigma);
       for (std::size_t i = 0; i < residuals_.size(); ++i) {
         const PointResidual& p = residuals_[i];
-        if (p.seen && !(i < excluded_.size() && excluded_[i])) scratch_.push_back(std::abs(p.r) / std::sqrt(s2 + p.extra));
+        if (p.seen && !(i < excluded_.size() && excluded_[i]))
+          scratch_.push_back(std::abs(p.r) / std::sqrt(s2 + p.extra));
       }
       sigma = std::max(settings.min_intensity_sigma, sigma * static_cast<double>(mad_sigma(scratch_)));
     }
@@ -199,7 +200,8 @@ struct DirectAligner {
         ++a.iterations;
         // From the camera's left twist to x: T <- exp(Ad(A) x) T with A = T_outer Tr(c').
         const SE3d T_o = problem.T_outer.inverse() * a.state.T;
-        const Vector3<double> moved = problem.centred ? Vector3<double>(T_o * problem.centroid) : Vector3<double>::Zero();
+        const Vector3<double> moved =
+            problem.centred ? Vector3<double>(T_o * problem.centroid) : Vector3<double>::Zero();
         const SE3d A = problem.T_outer * SE3d::translation(moved);
         Matrix8 Ad = Matrix8::Identity();
         Ad.topLeftCorner<6, 6>() = A.adjoint();

@@ -25,13 +25,13 @@ using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
 /// What the measured depth of the new frame says of a point (objects only).
 struct DepthTerm {
-  ImageView<const float> inverse_depth;             ///< of the new frame, 0 = none; empty = term not used
-  ImageView<const std::uint8_t> hidden;             ///< non-zero: a nearer object covers the pixel; may be empty
-  float occlusion_relative = 0.15f;                 ///< a measured surface nearer by this share hides the point ...
-  float occlusion_sigmas = 6;                       ///< ... if it also exceeds this many sigma
-  float sigma = 0;                                  ///< of the difference measured - predicted, 1/m
-  float agreement = 0;                              ///< difference within which the two agree, 1/m
-  float weight = 0;                                 ///< of one point's depth residual
+  ImageView<const float> inverse_depth;  ///< of the new frame, 0 = none; empty = term not used
+  ImageView<const std::uint8_t> hidden;  ///< non-zero: a nearer object covers the pixel; may be empty
+  float occlusion_relative = 0.15f;      ///< a measured surface nearer by this share hides the point ...
+  float occlusion_sigmas = 6;            ///< ... if it also exceeds this many sigma
+  float sigma = 0;                       ///< of the difference measured - predicted, 1/m
+  float agreement = 0;                   ///< difference within which the two agree, 1/m
+  float weight = 0;                      ///< of one point's depth residual
 };
 
 /// Pose and photometry at which a reduction linearises.
@@ -50,13 +50,13 @@ struct ResidualNoise {
 
 /// One point's residual at a pose.
 struct PointResidual {
-  float r = 0;         ///< grey values
-  float extra = 0;     ///< variance besides sigma_I^2
-  float value = 0;     ///< I_i(p')
-  float r_depth = 0;   ///< measured minus predicted inverse depth, 1/m
-  std::uint8_t seen = 0;        ///< 1: inside the image, in front, not hidden
-  std::uint8_t has_depth = 0;   ///< r_depth holds
-  std::uint8_t occluded = 0;    ///< inside the image, but hidden
+  float r = 0;                 ///< grey values
+  float extra = 0;             ///< variance besides sigma_I^2
+  float value = 0;             ///< I_i(p')
+  float r_depth = 0;           ///< measured minus predicted inverse depth, 1/m
+  std::uint8_t seen = 0;       ///< 1: inside the image, in front, not hidden
+  std::uint8_t has_depth = 0;  ///< r_depth holds
+  std::uint8_t occluded = 0;   ///< inside the image, but hidden
 };
 
 /// Sums over the points. `depth_*` is kept apart: it serves objects only.
@@ -66,7 +66,7 @@ struct NormalEquations {
   double cost = 0;              ///< Huber, mean over seen points
   int seen = 0;
   int occluded = 0;
-  int inside = 0;               ///< seen or occluded
+  int inside = 0;  ///< seen or occluded
   /// Gradient of a depth error of the points that is constant over the region or grows linearly over it
   /// (sum of w J (dr/dq) m / s^2 for the modes m = 1, and u, v over the half extent), and of a change of that error
   /// between the two frames.
@@ -86,8 +86,8 @@ struct SerialReduction {
   /// Normal equations at `state`; leaves the residuals in `out`.
   template <typename Camera>
   static NormalEquations linearize(const PointSet& points, int level, const Camera& camera,
-                                   const Image<std::uint8_t>& image, const AlignState& state, const ResidualNoise& noise,
-                                   const DepthTerm& depth, const std::uint8_t* excluded,
+                                   const Image<std::uint8_t>& image, const AlignState& state,
+                                   const ResidualNoise& noise, const DepthTerm& depth, const std::uint8_t* excluded,
                                    std::vector<PointResidual>& out) {
     NormalEquations sums;
     run<true>(points, level, camera, image, state, noise, depth, excluded, out, &sums);

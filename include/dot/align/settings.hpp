@@ -6,23 +6,23 @@ namespace dot {
 
 /// The photometric Gauss-Newton aligner.
 struct AlignSettings {
-  int max_levels = 5;          ///< of the image pyramid; fewer for small images
-  int max_iterations = 12;     ///< per level
-  double huber = 1.345;        ///< in sigma
-  double tukey = 4.685;        ///< in sigma: redescending cost that ranks local minima
-  double gradient_noise = 0.06;///< px: interpolation and model error, times the gradient
+  int max_levels = 5;                ///< of the image pyramid; fewer for small images
+  int max_iterations = 12;           ///< per level
+  double huber = 1.345;              ///< in sigma
+  double tukey = 4.685;              ///< in sigma: redescending cost that ranks local minima
+  double gradient_noise = 0.06;      ///< px: interpolation and model error, times the gradient
   double min_intensity_sigma = 0.8;  ///< grey values, floor of the residual scale
-  double outlier = 3.5;        ///< in sigma, distance to the fitted line between intensities
+  double outlier = 3.5;              ///< in sigma, distance to the fitted line between intensities
 };
 
 /// When a camera motion is accepted.
 struct CameraSettings {
   int min_points = 100;
-  double min_phi = 0.5;         ///< Pearson correlation
-  double min_inliers = 0.35;    ///< share of the visible points
-  double restart_margin = 0.005;///< a further start must win by this share of the cost
-  double search_speed = 45;     ///< m/s: reach of the starts while the speed is unknown
-  double restart_shift = 0.8;   ///< metres: reach of the shifted starts along the least determined direction
+  double min_phi = 0.5;           ///< Pearson correlation
+  double min_inliers = 0.35;      ///< share of the visible points
+  double restart_margin = 0.005;  ///< a further start must win by this share of the cost
+  double search_speed = 45;       ///< m/s: reach of the starts while the speed is unknown
+  double restart_shift = 0.8;     ///< metres: reach of the shifted starts along the least determined direction
 };
 
 }  // namespace dot

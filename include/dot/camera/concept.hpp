@@ -52,32 +52,31 @@ inline constexpr bool maps_pixels_v<
                                                                std::declval<Eigen::Matrix<S, 2, 3>*>())),
                 decltype(std::declval<const Camera&>().unproject(std::declval<const Vector2<S>&>())),
                 decltype(std::declval<const Camera&>().contains(std::declval<const Vector2<S>&>(), S(0)))>> =
-    std::is_same_v<decltype(std::declval<const Camera&>().project(std::declval<const Vector3<S>&>())), Vector2<S>> &&
-    std::is_same_v<decltype(std::declval<const Camera&>().unproject(std::declval<const Vector2<S>&>())),
-                   Vector3<S>> &&
-    std::is_same_v<decltype(std::declval<const Camera&>().contains(std::declval<const Vector2<S>&>(), S(0))), bool>;
+    std::is_same_v<decltype(std::declval<const Camera&>().project(std::declval<const Vector3<S>&>())), Vector2<S>>&&
+        std::is_same_v<decltype(std::declval<const Camera&>().unproject(std::declval<const Vector2<S>&>())),
+                       Vector3<S>>&&
+            std::is_same_v<decltype(std::declval<const Camera&>().contains(std::declval<const Vector2<S>&>(), S(0))),
+                           bool>;
 
 template <typename Camera, typename = void>
 inline constexpr bool has_size_v = false;
 
 template <typename Camera>
-inline constexpr bool has_size_v<
-    Camera, std::void_t<decltype(std::declval<const Camera&>().at_level(0)),
-                        decltype(std::declval<const Camera&>().width()),
-                        decltype(std::declval<const Camera&>().height()),
-                        decltype(std::declval<const Camera&>().intrinsics())>> =
-    std::is_same_v<decltype(std::declval<const Camera&>().at_level(0)), Camera> &&
-    std::is_same_v<decltype(std::declval<const Camera&>().width()), int> &&
-    std::is_same_v<decltype(std::declval<const Camera&>().height()), int> &&
-    std::is_same_v<decltype(std::declval<const Camera&>().intrinsics()), const Intrinsics&>;
+inline constexpr bool has_size_v<Camera, std::void_t<decltype(std::declval<const Camera&>().at_level(0)),
+                                                     decltype(std::declval<const Camera&>().width()),
+                                                     decltype(std::declval<const Camera&>().height()),
+                                                     decltype(std::declval<const Camera&>().intrinsics())>> =
+    std::is_same_v<decltype(std::declval<const Camera&>().at_level(0)), Camera>&&
+        std::is_same_v<decltype(std::declval<const Camera&>().width()), int>&&
+            std::is_same_v<decltype(std::declval<const Camera&>().height()), int>&&
+                std::is_same_v<decltype(std::declval<const Camera&>().intrinsics()), const Intrinsics&>;
 
 }  // namespace camera_concept
 
 /// Whether `Camera` offers all that is listed above. Use: `static_assert(is_camera_v<Camera>, DOT_CAMERA_MESSAGE)`.
 template <typename Camera>
-inline constexpr bool is_camera_v =
-    camera_concept::maps_pixels_v<Camera, float> && camera_concept::maps_pixels_v<Camera, double> &&
-    camera_concept::has_size_v<Camera>;
+inline constexpr bool is_camera_v = camera_concept::maps_pixels_v<Camera, float>&&
+    camera_concept::maps_pixels_v<Camera, double>&& camera_concept::has_size_v<Camera>;
 
 DOT_END_NAMESPACE
 

@@ -24,8 +24,8 @@ DOT_BEGIN_NAMESPACE
 ///     double prior_common(double q);  // shared, before anything was learnt
 
 /// Noise of the depth as standard deviation of *inverse depth* q at a point. An error has a part of each pixel and a
-/// part that all pixels of an object share, which no number of pixels averages out. The settings are priors; the pipeline
-/// scales them with what the background shows (pipeline/depth_learning.hpp).
+/// part that all pixels of an object share, which no number of pixels averages out. The settings are priors; the
+/// pipeline scales them with what the background shows (pipeline/depth_learning.hpp).
 struct DepthNoise {
   DepthNoiseSettings settings;
   double focal_baseline = 0;  ///< f b, pixel metres

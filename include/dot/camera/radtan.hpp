@@ -112,10 +112,8 @@ class RadTan {
     const S r2 = x * x + y * y;
     const S g = S(1) + r2 * (k1 + r2 * (k2 + r2 * k3));
     const S slope = k1 + r2 * (S(2) * k2 + r2 * S(3) * k3);  // dg / d(r2)
-    return {g * x + S(2) * p1 * x * y + p2 * (r2 + S(2) * x * x),
-            g * y + p1 * (r2 + S(2) * y * y) + S(2) * p2 * x * y,
-            g + S(2) * slope * x * x + S(2) * p1 * y + S(6) * p2 * x,
-            S(2) * (slope * x * y + p1 * x + p2 * y),
+    return {g * x + S(2) * p1 * x * y + p2 * (r2 + S(2) * x * x), g * y + p1 * (r2 + S(2) * y * y) + S(2) * p2 * x * y,
+            g + S(2) * slope * x * x + S(2) * p1 * y + S(6) * p2 * x, S(2) * (slope * x * y + p1 * x + p2 * y),
             g + S(2) * slope * y * y + S(6) * p1 * y + S(2) * p2 * x};
   }
 

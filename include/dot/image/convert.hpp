@@ -18,7 +18,8 @@ inline void to_grey(const ImageRef& image, Image<std::uint8_t>& grey) {
   grey.resize(image.width, image.height);
   cv::Mat out = mat(grey.view());
   const auto in = [&](int type) {
-    return cv::Mat(image.height, image.width, type, const_cast<void*>(image.data), static_cast<std::size_t>(image.stride));
+    return cv::Mat(image.height, image.width, type, const_cast<void*>(image.data),
+                   static_cast<std::size_t>(image.stride));
   };
   switch (image.format) {
     case PixelFormat::Bgr8: cv::cvtColor(in(CV_8UC3), out, cv::COLOR_BGR2GRAY); break;
@@ -48,9 +49,12 @@ inline int to_inverse_depth(const ImageRef& depth, double max_depth, Image<float
     }
   };
   if (depth.format == PixelFormat::DepthU16)
-    convert(ImageView<const std::uint16_t>{static_cast<const std::uint16_t*>(depth.data), depth.width, depth.height, depth.stride}, unit);
+    convert(ImageView<const std::uint16_t>{static_cast<const std::uint16_t*>(depth.data), depth.width, depth.height,
+                                           depth.stride},
+            unit);
   else
-    convert(ImageView<const float>{static_cast<const float*>(depth.data), depth.width, depth.height, depth.stride}, 1.f);
+    convert(ImageView<const float>{static_cast<const float*>(depth.data), depth.width, depth.height, depth.stride},
+            1.f);
   return valid;
 }
 

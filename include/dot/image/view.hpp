@@ -45,9 +45,9 @@ enum class PixelFormat : std::uint8_t {
 /// An image of the caller, of any of the formats that a Frame accepts. Borrowed for the duration of one call.
 struct ImageRef {
   const void* data = nullptr;
-  int width = 0;                        ///< pixels
-  int height = 0;                       ///< pixels
-  std::ptrdiff_t stride = 0;            ///< bytes from one row to the next
+  int width = 0;              ///< pixels
+  int height = 0;             ///< pixels
+  std::ptrdiff_t stride = 0;  ///< bytes from one row to the next
   PixelFormat format = PixelFormat::Grey8;
   double depth_units_per_metre = 1000;  ///< DepthU16 only: 1000 for RGB-D cameras, 256 for KITTI files
 

@@ -17,7 +17,7 @@ struct MaskSettings {
 struct ExclusionPolicy {
   bool exclude_not_observable = true;  ///< objects that never were decided; later they count as last decided
   bool exclude_static = false;
-  int dilation = 2;                    ///< pixels
+  int dilation = 2;  ///< pixels
 };
 
 }  // namespace dot

@@ -19,6 +19,7 @@ struct MaskTemplate {
   Mask mask;
   Image<float> inverse_depth;  ///< 1/m, crop of `mask`; smooth and without holes inside the mask, 0 outside
   double median = 0;           ///< 1/m, of the measured values that were used
+  bool measured = false;       ///< false: the inverse depth is a guess, against which nothing can be trimmed
 };
 
 /// Buffers of make_template.
@@ -53,6 +54,7 @@ inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth
     out.mask.pixels.resize(0, 0);
     out.inverse_depth.resize(0, 0);
     out.median = 0;
+    out.measured = false;
     return false;
   };
 
@@ -97,6 +99,7 @@ inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth
   }
   if (values.size() < kMinTemplateDepth) return refuse();
   out.median = percentile(0.5);
+  out.measured = true;
 
   constexpr int first_radius = 2, min_count = 5;
   out.mask = mask;
@@ -125,6 +128,7 @@ inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth
 inline void make_flat_template(const Mask& mask, double inverse_depth, MaskTemplate& out) {
   out.mask = mask;
   out.median = inverse_depth;
+  out.measured = false;
   out.inverse_depth.resize(mask.width(), mask.height());
   for (int v = 0; v < mask.height(); ++v)
     for (int u = 0; u < mask.width(); ++u)

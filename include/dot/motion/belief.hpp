@@ -13,17 +13,17 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Belief that an object moves, over time: the log odds of *moves* against *stands*, and a Kalman filter of the velocity
-/// that the object has if it moves.
+/// Belief that an object moves, over time: the log odds of *moves* against *stands*, and a Kalman filter of the
+/// velocity that the object has if it moves.
 ///
 ///     stands: v ~ N(0, V + (0.35 v0)^2)
 ///     moves:  v ~ N(m, P + V), the filter's prediction, mixed with a fresh prior of any velocity
 ///
-/// Both carry a small share of a broad outlier class. The fresh prior is a mixture: slow and fast, in any direction, and
-/// along the direction that the fit determines least. Without the last, an object whose sideways velocity is
-/// well measured and zero would count as standing though it may well come straight towards the camera, as traffic does.
-/// What the prior credits to speeds inside |v| <= v0 is taken away again: such an object does not move. A Bayes factor
-/// of proper densities does not drift to *moves* where the velocity is poorly measured, which a ratio of maximum
+/// Both carry a small share of a broad outlier class. The fresh prior is a mixture: slow and fast, in any direction,
+/// and along the direction that the fit determines least. Without the last, an object whose sideways velocity is well
+/// measured and zero would count as standing though it may well come straight towards the camera, as traffic does. What
+/// the prior credits to speeds inside |v| <= v0 is taken away again: such an object does not move. A Bayes factor of
+/// proper densities does not drift to *moves* where the velocity is poorly measured, which a ratio of maximum
 /// likelihoods does.
 struct Belief {
   double log_odds = 0;
@@ -64,8 +64,7 @@ struct Belief {
       moves_fresh += 0.25 * (hypothesis(v, V, zero, any, v0) + hypothesis(v, V, zero, pencil, v0));
     }
     double moves = moves_fresh;
-    if (has_velocity())
-      moves = 0.9 * hypothesis(v, V, velocity, covariance, v0) + 0.1 * moves_fresh;
+    if (has_velocity()) moves = 0.9 * hypothesis(v, V, velocity, covariance, v0) + 0.1 * moves_fresh;
     moves = (1 - s.outliers) * moves + outlier;
 
     const double cap = std::min(s.max_evidence_rate * e.interval / e.intervals, s.max_evidence);

@@ -32,9 +32,9 @@ template <typename T, typename = void>
 inline constexpr bool holds_v = false;
 template <typename T>
 inline constexpr bool holds_v<
-    T, std::enable_if_t<std::is_same_v<decltype(std::declval<const T&>()(
-                                           std::declval<typename T::Memory&>(), std::declval<const MotionEstimate*>(),
-                                           std::declval<const Matrix3<double>&>(), 0.1)),
+    T, std::enable_if_t<std::is_same_v<decltype(std::declval<const T&>()(std::declval<typename T::Memory&>(),
+                                                                         std::declval<const MotionEstimate*>(),
+                                                                         std::declval<const Matrix3<double>&>(), 0.1)),
                                        Decision>>> = true;
 }  // namespace classifier_concept
 

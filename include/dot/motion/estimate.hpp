@@ -13,12 +13,12 @@ DOT_BEGIN_NAMESPACE
 struct MotionEstimate {
   Vector3<double> velocity = Vector3<double>::Zero();    ///< of the centroid, m/s
   Matrix3<double> covariance = Matrix3<double>::Zero();  ///< of the velocity: photometric, camera's and depth's share
-  double interval = 0;            ///< seconds the fit spans
-  double intervals = 1;           ///< frames the fit spans
-  double range = 0;               ///< depth of the centroid, metres
-  double disparity_px = 0;        ///< d_d, see motion/disparity.hpp
-  double disparity_noise_px = 0;  ///< what Sigma_x alone makes of it
-  double entropy = 0;             ///< H of Sigma_x, nats
+  double interval = 0;                                   ///< seconds the fit spans
+  double intervals = 1;                                  ///< frames the fit spans
+  double range = 0;                                      ///< depth of the centroid, metres
+  double disparity_px = 0;                               ///< d_d, see motion/disparity.hpp
+  double disparity_noise_px = 0;                         ///< what Sigma_x alone makes of it
+  double entropy = 0;                                    ///< H of Sigma_x, nats
 };
 
 /// Differential entropy of a 6-dof Gaussian, H = 1/2 ln((2 pi e)^6 |Sigma|), nats (paper eq. 7). *High* when the
@@ -31,7 +31,8 @@ inline double entropy(const Matrix6<double>& sigma) {
 
 /// Covariance of the centroid's displacement that a camera covariance causes: the object moved to X (camera axes of the
 /// new frame) by T_c T_o, so an error xi of T_c moves the centroid by -A xi, A = R_c' [I | -[X]x].
-inline Matrix3<double> camera_share(const Matrix6<double>& camera_covariance, const SE3d& T_c, const Vector3<double>& X) {
+inline Matrix3<double> camera_share(const Matrix6<double>& camera_covariance, const SE3d& T_c,
+                                    const Vector3<double>& X) {
   Eigen::Matrix<double, 3, 6> A;
   A << Matrix3<double>::Identity(), -so3::hat(X);
   A = T_c.R.transpose() * A;

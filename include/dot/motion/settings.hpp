@@ -15,53 +15,53 @@ enum class ClassifierKind : std::uint8_t {
 
 /// When an object's motion is accepted, and the reach of its search.
 struct ObjectSettings {
-  int min_points = 30;           ///< inside the image
-  double min_visible = 0.25;     ///< share of the object's points inside the image
-  double min_phi = 0.6;          ///< Pearson correlation
+  int min_points = 30;        ///< inside the image
+  double min_visible = 0.25;  ///< share of the object's points inside the image
+  double min_phi = 0.6;       ///< Pearson correlation
   int min_inliers = 20;
-  double min_inlier_share = 0.4; ///< of the visible points
+  double min_inlier_share = 0.4;     ///< of the visible points
   double min_depth_agreement = 0.5;  ///< share of the points that the measured depth confirms
-  double max_speed = 70;         ///< m/s
-  double search_speed = 30;      ///< m/s: reach of the velocity hypotheses of a new object
-  double reference_seconds = 0.4;///< age of the oldest reference used for slow objects
+  double max_speed = 70;             ///< m/s
+  double search_speed = 30;          ///< m/s: reach of the velocity hypotheses of a new object
+  double reference_seconds = 0.4;    ///< age of the oldest reference used for slow objects
 };
 
 /// Priors of an object's motion between frames; rates per second. Generic: nothing about roads.
 struct MotionPriorSettings {
-  double rotation = 0.35;        ///< rad/s, 1 sigma, any axis
-  double velocity = 40;          ///< m/s, 1 sigma, any axis, about standing still
-  double gain = 0.1;             ///< 1 sigma of an object's gain about the camera's
-  double offset = 10;            ///< grey values, 1 sigma of an object's offset about the camera's
-  bool ground_vehicle = false;   ///< turn about the up vector only, move in the ground plane
-  double up_x = 0;               ///< up, camera axes (used with ground_vehicle)
+  double rotation = 0.35;       ///< rad/s, 1 sigma, any axis
+  double velocity = 40;         ///< m/s, 1 sigma, any axis, about standing still
+  double gain = 0.1;            ///< 1 sigma of an object's gain about the camera's
+  double offset = 10;           ///< grey values, 1 sigma of an object's offset about the camera's
+  bool ground_vehicle = false;  ///< turn about the up vector only, move in the ground plane
+  double up_x = 0;              ///< up, camera axes (used with ground_vehicle)
   double up_y = -1;
   double up_z = 0;
 };
 
 /// The velocity test.
 struct VelocitySettings {
-  double v0 = 0.5;               ///< m/s: what counts as moving
-  double v0_per_metre = 0.05;    ///< 1/s: v0 of near objects is this times their range
-  double photometric_scale = 3;  ///< inflation of Sigma_x: neighbouring residuals are correlated
-  double camera_scale = 4;       ///< inflation of the camera's covariance
-  double floor = 0.05;           ///< m/s per axis, never more certain
-  double decide = 0.95;          ///< probability at which a state is won
-  double keep = 0.80;            ///< probability down to which it is kept
-  double switch_rate = 0.04;     ///< 1/s: how often things start or stop moving
-  double prior_speed = 6;        ///< m/s per axis: how fast movers are, far from v0
-  double acceleration = 3;       ///< m/s^2, of movers
-  double outliers = 0.02;        ///< share of fits that are wrong
-  double max_evidence_rate = 40; ///< 1/s, log odds that time can bring
-  double max_evidence = 4;       ///< log odds that one fit can bring: it may be wrong as a whole
+  double v0 = 0.5;                ///< m/s: what counts as moving
+  double v0_per_metre = 0.05;     ///< 1/s: v0 of near objects is this times their range
+  double photometric_scale = 3;   ///< inflation of Sigma_x: neighbouring residuals are correlated
+  double camera_scale = 4;        ///< inflation of the camera's covariance
+  double floor = 0.05;            ///< m/s per axis, never more certain
+  double decide = 0.95;           ///< probability at which a state is won
+  double keep = 0.80;             ///< probability down to which it is kept
+  double switch_rate = 0.04;      ///< 1/s: how often things start or stop moving
+  double prior_speed = 6;         ///< m/s per axis: how fast movers are, far from v0
+  double acceleration = 3;        ///< m/s^2, of movers
+  double outliers = 0.02;         ///< share of fits that are wrong
+  double max_evidence_rate = 40;  ///< 1/s, log odds that time can bring
+  double max_evidence = 4;        ///< log odds that one fit can bring: it may be wrong as a whole
   double max_log_odds = 6;
 };
 
 /// The paper's rule.
 struct EntropySettings {
-  double max_entropy = 0;        ///< nats: not observable above
-  double min_entropy = -60;      ///< nats: the literal rule's bound
-  double min_disparity = 1.0;    ///< px
-  double noise_factor = 3;       ///< k in f(H) = max(d_min, k d_noise)
+  double max_entropy = 0;      ///< nats: not observable above
+  double min_entropy = -60;    ///< nats: the literal rule's bound
+  double min_disparity = 1.0;  ///< px
+  double noise_factor = 3;     ///< k in f(H) = max(d_min, k d_noise)
 };
 
 }  // namespace dot

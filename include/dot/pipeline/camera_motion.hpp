@@ -35,7 +35,8 @@ struct CameraMotionEstimator {
     candidates.push_back(aligner.align(problem, {predicted}, top));
     AlignState state = candidates.front().state;
     candidates.push_back(aligner.align(problem, {predicted, state.gain, state.offset}, fine));
-    if (predicted.log().norm() > 1e-3) candidates.push_back(aligner.align(problem, {SE3d{}, state.gain, state.offset}, top));
+    if (predicted.log().norm() > 1e-3)
+      candidates.push_back(aligner.align(problem, {SE3d{}, state.gain, state.offset}, top));
 
     if (!known)
       for (const SE3d& start : searched(problem, search, state, aligner))
@@ -93,7 +94,8 @@ struct CameraMotionEstimator {
       for (int i = -6; i <= 6; ++i) {
         if (i == 0) continue;
         const Vector8 shift = reach * i / 6 * x;
-        const AlignState start{SE3d::exp(shift.head<6>()) * a.state.T, a.state.gain + shift[6], a.state.offset + shift[7]};
+        const AlignState start{SE3d::exp(shift.head<6>()) * a.state.T, a.state.gain + shift[6],
+                               a.state.offset + shift[7]};
         starts.push_back({aligner.rank(problem, start, level, sigma), start});
       }
     std::partial_sort(starts.begin(), starts.begin() + 2, starts.end(),

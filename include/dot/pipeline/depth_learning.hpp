@@ -17,11 +17,11 @@ DOT_BEGIN_NAMESPACE
 /// Learns the size of the depth noise from the background, which stands still.
 ///
 /// The background of each frame is cut into patches of about the size of a car. Seen again, a patch's inverse depth
-/// differs from what the camera motion predicts: the median difference of a patch is an error that its pixels share, the
-/// scatter about it that of single pixels. Over the patches the shared errors have heavier tails than a normal, so their
-/// sigma is that of the 85 % quantile; smoothed over time, they scale the priors of DepthNoise:
-/// against the previous frame `change`, against one about 0.4 s back `common`. A standing camera sees the same errors
-/// again and learns nothing: the image must have moved by kMinMotion pixels.
+/// differs from what the camera motion predicts: the median difference of a patch is an error that its pixels share,
+/// the scatter about it that of single pixels. Over the patches the shared errors have heavier tails than a normal, so
+/// their sigma is that of the 85 % quantile; smoothed over time, they scale the priors of DepthNoise: against the
+/// previous frame `change`, against one about 0.4 s back `common`. A standing camera sees the same errors again and
+/// learns nothing: the image must have moved by kMinMotion pixels.
 struct DepthLearning {
   static constexpr int kWidth = 40, kHeight = 30, kStep = 4;  ///< pixels: patch and sampling
   static constexpr int kMinSamples = 40;                      ///< of the 80 of a patch
@@ -54,7 +54,13 @@ struct DepthLearning {
   std::deque<Patches> history;  ///< newest first
   Scale change, common, pixel;
 
+  /// Drops what was seen, keeps what was learnt.
   void clear() { history.clear(); }
+  /// Drops both.
+  void forget() {
+    history.clear();
+    change = common = pixel = {};
+  }
 
   /// Cuts the frame's background. `blocked` is non-zero where objects are.
   template <typename Camera>
@@ -69,8 +75,8 @@ struct DepthLearning {
           for (int x = x0 + kStep / 2; x < x0 + kWidth; x += kStep) {
             const float q = inverse_depth(x, y);
             if (q <= 0 || blocked(x, y)) continue;
-            const Vector3<float> ray = camera.template unproject<float>(
-                Vector2<float>(static_cast<float>(x), static_cast<float>(y)));
+            const Vector3<float> ray =
+                camera.template unproject<float>(Vector2<float>(static_cast<float>(x), static_cast<float>(y)));
             p.x.push_back(ray.x());
             p.y.push_back(ray.y());
             p.q.push_back(q);
@@ -93,7 +99,8 @@ struct DepthLearning {
     if (history.empty()) return;
     compare(camera, history.front(), inverse_depth, noise, change, &pixel);
     const Patches& oldest = history.back();
-    if (timestamp - oldest.timestamp > 0.5 * reference_seconds) compare(camera, oldest, inverse_depth, noise, common, nullptr);
+    if (timestamp - oldest.timestamp > 0.5 * reference_seconds)
+      compare(camera, oldest, inverse_depth, noise, common, nullptr);
     noise.change_scale = change.frames > 0 ? change.blended() : 1;
     noise.common_scale = common.frames > 0 ? common.blended() : 1;
     noise.pixel_scale = pixel.frames > 0 ? std::clamp(pixel.value, 0.2, 2.0) : 1;
@@ -115,7 +122,8 @@ struct DepthLearning {
         const Vector3<float> X = R * Vector3<float>(p.x[i], p.y[i], 1) + p.q[i] * t;
         if (X.z() < 1e-3f) continue;
         const Vector2<float> pixel_position = camera.template project<float>(X);
-        const int u = static_cast<int>(std::lround(pixel_position.x())), v = static_cast<int>(std::lround(pixel_position.y()));
+        const int u = static_cast<int>(std::lround(pixel_position.x())),
+                  v = static_cast<int>(std::lround(pixel_position.y()));
         if (!inverse_depth.contains(u, v) || inverse_depth(u, v) <= 0) continue;
         const float predicted = p.q[i] / X.z();
         differences_.push_back(inverse_depth(u, v) - predicted);
@@ -130,7 +138,8 @@ struct DepthLearning {
       const float m = median(differences_);
       medians_.push_back(static_cast<float>(std::abs(m) / noise.prior_common(q)));
       for (float& d : differences_) d = std::abs(d - m);
-      scatters_.push_back(static_cast<float>(1.4826 * static_cast<double>(median(differences_)) / std::sqrt(2.0) / noise.prior_pixel(q)));
+      scatters_.push_back(static_cast<float>(1.4826 * static_cast<double>(median(differences_)) / std::sqrt(2.0) /
+                                             noise.prior_pixel(q)));
     }
     if (medians_.size() < 5 || static_cast<double>(median(motion_)) < kMinMotion) return;
     shared.add(static_cast<double>(quantile(medians_, 0.85)) / 1.44);

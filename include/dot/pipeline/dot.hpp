@@ -90,6 +90,7 @@ class Dot {
   void build(const Frame& frame);
   void camera_motion(const Frame& frame);
   void predict_tracks();
+  void warp_outline(TrackT& object, const SE3d& T_cur_outline);
   void read_masks(const Frame& frame);
   void associate();
   void follow(TrackT& object);

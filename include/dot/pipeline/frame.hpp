@@ -43,11 +43,11 @@ struct CameraMotion {
 
 /// One frame. All views are borrowed for the duration of `track`.
 struct Frame {
-  std::uint64_t id = 0;  ///< the caller's number of the frame, returned in the result
-  double timestamp = 0;  ///< seconds, strictly increasing
-  ImageRef image;        ///< Grey8, Bgr8, Rgb8 or Bgra8
-  ImageRef depth;        ///< DepthF32 or DepthU16; zero, negative, NaN or infinite = no measurement
-  std::optional<Masks> masks;                 ///< absent: no segmentation for this frame
+  std::uint64_t id = 0;        ///< the caller's number of the frame, returned in the result
+  double timestamp = 0;        ///< seconds, strictly increasing
+  ImageRef image;              ///< Grey8, Bgr8, Rgb8 or Bgra8
+  ImageRef depth;              ///< DepthF32 or DepthU16; zero, negative, NaN or infinite = no measurement
+  std::optional<Masks> masks;  ///< absent: no segmentation for this frame
   std::optional<CameraMotion> camera_motion;  ///< absent: estimated from the image
 };
 

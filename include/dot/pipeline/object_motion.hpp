@@ -19,12 +19,12 @@ struct ObjectReference {
   PointSet points;
   Vector3<double> centroid = Vector3<double>::Zero();  ///< of the points, camera axes of that frame, metres
   Vector3<double> anchor = Vector3<double>::Zero();    ///< centre of its mask at its median depth; zero: no depth
-  int area = 0;             ///< pixels of its mask
-  double timestamp = 0;     ///< seconds
-  int intervals = 0;        ///< frames since
-  SE3d T_cur_ref;           ///< camera motion since then
+  int area = 0;                                        ///< pixels of its mask
+  double timestamp = 0;                                ///< seconds
+  int intervals = 0;                                   ///< frames since
+  SE3d T_cur_ref;                                      ///< camera motion since then
   Matrix6<double> camera_covariance = Matrix6<double>::Zero();  ///< of T_cur_ref, left twist
-  SE3d T_obj_cur_ref;       ///< the object's points since then, camera and own motion composed
+  SE3d T_obj_cur_ref;  ///< the object's points since then, camera and own motion composed
 };
 
 /// What a frame offers to an object's fit.
@@ -32,14 +32,14 @@ template <typename Camera>
 struct ObjectScene {
   const Pyramid& image;
   const Camera& camera;
-  ImageView<const float> inverse_depth;   ///< of the frame, 1/m
-  ImageView<const std::uint8_t> hidden;   ///< non-zero where a nearer object was found already
+  ImageView<const float> inverse_depth;  ///< of the frame, 1/m
+  ImageView<const std::uint8_t> hidden;  ///< non-zero where a nearer object was found already
 };
 
 /// One object's motion over one interval, with the reason where there is none.
 struct ObjectFit {
   Reason reason = Reason::Diverged;
-  SE3d T_o;               ///< reference camera's axes
+  SE3d T_o;                                         ///< reference camera's axes
   Matrix6<double> sigma = Matrix6<double>::Zero();  ///< Sigma_x: twist of T_o about the moved centroid, photometric
   double phi = 0;
   int n_points = 0, n_inliers = 0;
@@ -71,8 +71,7 @@ struct ObjectMotionEstimator {
     while (top > 0 && std::sqrt(1.0 * reference.area) / (1 << top) < 5) --top;
     std::vector<Alignment> candidates;
     for (const SE3d& T_o : starts)
-      candidates.push_back(
-          aligner.align(problem, {problem.T_outer * T_o, photometry.gain, photometry.offset}, top));
+      candidates.push_back(aligner.align(problem, {problem.T_outer * T_o, photometry.gain, photometry.offset}, top));
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
     // A later start must win by a margin: equal minima should not alternate.
@@ -144,8 +143,8 @@ struct ObjectMotionEstimator {
     problem.depth.hidden = scene.hidden;
     problem.depth.sigma = static_cast<float>(std::sqrt(pixel * pixel + change * change));
     // On an object the depth may be worse than on the background that taught its noise.
-    problem.depth.agreement = static_cast<float>(
-        3 * std::max(std::sqrt(pixel * pixel + change * change), std::hypot(noise.prior_pixel(q), noise.prior_common(q))));
+    problem.depth.agreement = static_cast<float>(3 * std::max(std::sqrt(pixel * pixel + change * change),
+                                                              std::hypot(noise.prior_pixel(q), noise.prior_common(q))));
     // Neighbouring depths are not independent, and all share the change of the common error: together they are worth
     // N = 1 / (A_corr / area + change^2 / pixel^2) measurements.
     const double n = 1 / (45.0 / std::max(45, reference.area) + change * change / (pixel * pixel));
@@ -218,7 +217,8 @@ struct ObjectMotionEstimator {
       return Reason::LeavesImage;
     if (a.seen < settings.min_inliers || a.seen < 0.3 * a.inside) return Reason::Occluded;
     if (a.phi < settings.min_phi) return Reason::LowCorrelation;
-    if (a.inliers < settings.min_inliers || a.inliers < settings.min_inlier_share * a.seen) return Reason::TooFewInliers;
+    if (a.inliers < settings.min_inliers || a.inliers < settings.min_inlier_share * a.seen)
+      return Reason::TooFewInliers;
     if (a.with_depth >= settings.min_inliers && a.depth_agrees < settings.min_depth_agreement * a.with_depth)
       return Reason::DepthDisagrees;
     if (out.motion.velocity.norm() > settings.max_speed) return Reason::Implausible;

@@ -38,7 +38,8 @@ enum class CameraStatus : std::uint8_t {
   FirstFrame,      ///< no reference yet, or references dropped: T_cur_prev is the identity and means nothing
   Tracked,         ///< estimated from the image
   FromHost,        ///< taken from Frame::camera_motion
-  TooLittleDepth,  ///< no earlier frame had enough background points with depth; T_cur_prev is the constant-velocity guess
+  TooLittleDepth,  ///< no earlier frame had enough background points with depth; T_cur_prev is the constant-velocity
+                   ///< guess
   Lost             ///< the alignment failed; T_cur_prev is the constant-velocity guess
 };
 
@@ -47,12 +48,12 @@ struct CameraResult {
   CameraStatus status = CameraStatus::FirstFrame;
   std::array<double, 12> T_cur_prev{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  ///< T_c, row-major 3x4
   std::array<double, 36> covariance{};  ///< left twist [translation; rotation], row-major, metres and radians
-  double phi = 0;                 ///< Pearson correlation of reference and tracked intensities
-  double gain = 1;                ///< I_cur = gain I_prev + offset
-  double offset = 0;              ///< grey values
-  double residual_sigma = 0;      ///< grey values, robust
-  double normalised_variance = 0; ///< of the inliers' residuals over their predicted sigma; near 1 when honest
-  int n_points = 0;               ///< background points inside the image
+  double phi = 0;                       ///< Pearson correlation of reference and tracked intensities
+  double gain = 1;                      ///< I_cur = gain I_prev + offset
+  double offset = 0;                    ///< grey values
+  double residual_sigma = 0;            ///< grey values, robust
+  double normalised_variance = 0;       ///< of the inliers' residuals over their predicted sigma; near 1 when honest
+  int n_points = 0;                     ///< background points inside the image
   int n_inliers = 0;
 };
 
@@ -61,19 +62,19 @@ struct ObjectResult {
   std::uint32_t id = 0;  ///< of the track, never reused
   State state = State::NotObservable;
   Reason reason = Reason::New;
-  bool always_dynamic = false;     ///< flagged by the caller
-  bool segmented = false;          ///< an instance of this frame's segmentation was associated
-  std::uint32_t instance_id = 0;   ///< of that instance
-  std::int32_t class_id = -1;      ///< of the last instance associated
-  float score = 0;                 ///< of the last instance associated
-  std::array<int, 4> box{};        ///< x, y, width, height of its visible label pixels; zeros when it shows none
-  int area = 0;                    ///< visible label pixels
-  double p_moving = 0.5;           ///< belief after this frame
+  bool always_dynamic = false;    ///< flagged by the caller
+  bool segmented = false;         ///< an instance of this frame's segmentation was associated
+  std::uint32_t instance_id = 0;  ///< of that instance
+  std::int32_t class_id = -1;     ///< of the last instance associated
+  float score = 0;                ///< of the last instance associated
+  std::array<int, 4> box{};       ///< x, y, width, height of its visible label pixels; zeros when it shows none
+  int area = 0;                   ///< visible label pixels
+  double p_moving = 0.5;          ///< belief after this frame
   State last_decided = State::NotObservable;  ///< the last state that was Static or Moving, if ever
 
   // The single fit of this frame; meaningful where `reason` is None.
   std::array<double, 12> T_o{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  ///< row-major 3x4, previous camera's axes: a point
-                                                                 ///< at X_prev is at T_c T_o X_prev in this camera
+                                                                   ///< at X_prev is at T_c T_o X_prev in this camera
   std::array<double, 36> covariance{};          ///< Sigma_x of T_o: twist about the centroid, photometric part only
   std::array<double, 3> velocity{};             ///< of the centroid, m/s, previous camera's axes
   std::array<double, 9> velocity_covariance{};  ///< with the camera's and the depth's share
@@ -105,7 +106,7 @@ constexpr const char* to_string(Stage stage) {
 struct Result {
   std::uint64_t frame_id = 0;
   double timestamp = 0;
-  double interval = 0;  ///< seconds since the previous frame, 0 when there is no reference
+  double interval = 0;            ///< seconds since the previous frame, 0 when there is no reference
   bool too_little_depth = false;  ///< the frame gives too few background points to be a reference; older ones serve on
   CameraResult camera;
   ImageView<const std::uint8_t> labels;  ///< State of each pixel
@@ -123,9 +124,22 @@ struct Result {
 
 /// Name of a reason, lower case with underscores; empty for None.
 constexpr const char* to_string(Reason reason) {
-  constexpr const char* names[] = {"",          "new",      "no_reference",    "too_few_pixels",  "too_little_depth",
-                                   "too_little_texture", "leaves_image", "occluded", "diverged", "low_correlation",
-                                   "too_few_inliers", "depth_disagrees", "implausible", "hidden", "camera_lost", "lost"};
+  constexpr const char* names[] = {"",
+                                   "new",
+                                   "no_reference",
+                                   "too_few_pixels",
+                                   "too_little_depth",
+                                   "too_little_texture",
+                                   "leaves_image",
+                                   "occluded",
+                                   "diverged",
+                                   "low_correlation",
+                                   "too_few_inliers",
+                                   "depth_disagrees",
+                                   "implausible",
+                                   "hidden",
+                                   "camera_lost",
+                                   "lost"};
   return reason <= Reason::Lost ? names[static_cast<int>(reason)] : "?";
 }
 

@@ -23,31 +23,31 @@ struct Track {
 
   // Its outline: the last mask that a network gave, and where that is now.
   MaskTemplate outline;
-  SE3d T_cur_outline;      ///< composed motion of the object's points since then
-  WarpedMask predicted;    ///< in this frame, by the predicted or the fitted motion
-  Mask mask;               ///< what is shown in this frame
+  SE3d T_cur_outline;              ///< composed motion of the object's points since then
+  WarpedMask predicted;            ///< in this frame, by the predicted or the fitted motion
+  Mask mask;                       ///< what is shown in this frame
   const Mask* observed = nullptr;  ///< this frame's network mask, if one was associated; valid during `track`
-  bool segmented = false;  ///< there was one
+  bool segmented = false;          ///< there was one
   bool visible = false;
 
   // Its motion.
-  std::deque<ObjectReference> references;  ///< newest first
+  std::deque<ObjectReference> references;     ///< newest first
   Reason no_reference = Reason::NoReference;  ///< why the last frame added none
-  SE3d T_o_predicted;      ///< constant velocity, previous camera's axes
-  SE3d T_o_last;           ///< last accepted, axes of the camera before that interval
-  bool has_motion = false; ///< T_o_last is that of the interval before this one
+  SE3d T_o_predicted;                         ///< constant velocity, previous camera's axes
+  SE3d T_o_last;                              ///< last accepted, axes of the camera before that interval
+  bool has_motion = false;                    ///< T_o_last is that of the interval before this one
   bool ever_fitted = false;
-  ObjectFit fit;           ///< over the last interval
-  MotionEstimate decisive; ///< of the reference that tells most
+  ObjectFit fit;            ///< over the last interval
+  MotionEstimate decisive;  ///< of the reference that tells most
   bool has_decisive = false;
   State state = State::NotObservable;
   State last_decided = State::NotObservable;
   double p_moving = 0.5;
   Vector3<double> velocity = Vector3<double>::Zero();  ///< fused, newest camera's axes
   Matrix3<double> velocity_covariance = Matrix3<double>::Zero();
-  double last_seen = 0;    ///< timestamp
+  double last_seen = 0;  ///< timestamp
   bool born_now = false;
-  bool lost = false;       ///< to be dropped before the next frame
+  bool lost = false;  ///< to be dropped before the next frame
 
   /// 1/m; nearer objects are followed first and painted last.
   double inverse_depth() const {

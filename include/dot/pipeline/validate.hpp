@@ -55,8 +55,8 @@ inline void validate(const Options& options) {
 }
 
 /// Checks a view: present, one of `formats`, rows that fit the stride, and of the size width x height (0: any).
-inline void validate(const std::string& field, const ImageRef& image, std::initializer_list<PixelFormat> formats, int width,
-                     int height) {
+inline void validate(const std::string& field, const ImageRef& image, std::initializer_list<PixelFormat> formats,
+                     int width, int height) {
   if (image.data == nullptr) bad_field(field, "is empty (null data)");
   if (image.width <= 0 || image.height <= 0) bad_field(field, "is empty (width or height is 0)");
   bool known = false;
@@ -74,15 +74,17 @@ inline void validate(const std::string& field, const ImageRef& image, std::initi
 
 /// @throws std::invalid_argument naming the field of the frame; width and height are the camera's.
 inline void validate(const Frame& frame, int width, int height, bool has_previous, double previous_timestamp) {
-  validate("frame.image", frame.image,
-           {PixelFormat::Grey8, PixelFormat::Bgr8, PixelFormat::Rgb8, PixelFormat::Bgra8}, width, height);
+  validate("frame.image", frame.image, {PixelFormat::Grey8, PixelFormat::Bgr8, PixelFormat::Rgb8, PixelFormat::Bgra8},
+           width, height);
   validate("frame.depth", frame.depth, {PixelFormat::DepthF32, PixelFormat::DepthU16}, width, height);
   if (!std::isfinite(frame.timestamp)) bad_field("frame.timestamp", "must be finite");
   if (has_previous && frame.timestamp <= previous_timestamp)
-    bad_field("frame.timestamp", "must be greater than the last frame's (" + std::to_string(previous_timestamp) + " s)");
+    bad_field("frame.timestamp",
+              "must be greater than the last frame's (" + std::to_string(previous_timestamp) + " s)");
   if (frame.masks) {
     if (frame.masks->ids.data != nullptr)
-      validate("frame.masks.ids", frame.masks->ids, {PixelFormat::Id8, PixelFormat::Id16, PixelFormat::Id32}, width, height);
+      validate("frame.masks.ids", frame.masks->ids, {PixelFormat::Id8, PixelFormat::Id16, PixelFormat::Id32}, width,
+               height);
     for (std::size_t i = 0; i < frame.masks->instances.size; ++i) {
       const std::string field = "frame.masks.instances[" + std::to_string(i) + "]";
       const Instance& instance = frame.masks->instances[i];
@@ -99,9 +101,13 @@ inline void validate(const Frame& frame, int width, int height, bool has_previou
     for (int r = 0; r < 3; ++r)
       for (int c = r; c < 3; ++c) {
         double dot = 0;
-        for (int k = 0; k < 3; ++k) dot += T[static_cast<std::size_t>(4 * r + k)] * T[static_cast<std::size_t>(4 * c + k)];
+        for (int k = 0; k < 3; ++k)
+          dot += T[static_cast<std::size_t>(4 * r + k)] * T[static_cast<std::size_t>(4 * c + k)];
         if (std::abs(dot - (r == c)) > 1e-3) bad_field("frame.camera_motion.T_cur_prev", "is not a rotation");
       }
+    const double det =
+        T[0] * (T[5] * T[10] - T[6] * T[9]) - T[1] * (T[4] * T[10] - T[6] * T[8]) + T[2] * (T[4] * T[9] - T[5] * T[8]);
+    if (det < 0) bad_field("frame.camera_motion.T_cur_prev", "is a mirror image, not a rotation");
     for (const double v : frame.camera_motion->covariance)
       if (!std::isfinite(v)) bad_field("frame.camera_motion.covariance", "must be finite");
   }

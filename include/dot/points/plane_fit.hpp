@@ -12,9 +12,9 @@ DOT_BEGIN_NAMESPACE
 
 /// A plane in space is linear in inverse depth over the image: q(u, v) = q + du (u - u0) + dv (v - v0).
 struct PlaneFit {
-  float q = 0;            ///< 1/m at (u0, v0)
-  float du = 0, dv = 0;   ///< 1/m per pixel
-  float rms = 0;          ///< of the inliers, 1/m
+  float q = 0;           ///< 1/m at (u0, v0)
+  float du = 0, dv = 0;  ///< 1/m per pixel
+  float rms = 0;         ///< of the inliers, 1/m
   int inliers = 0;
 };
 
@@ -25,8 +25,8 @@ struct PlaneFit {
 /// @param min_inliers pixels that must support it.
 /// @return false when too few do or the fit is degenerate.
 template <typename Accept>
-bool fit_plane(ImageView<const float> inverse_depth, int u0, int v0, int radius, float start, float gate, int min_inliers,
-               Accept&& accept, PlaneFit& fit) {
+bool fit_plane(ImageView<const float> inverse_depth, int u0, int v0, int radius, float start, float gate,
+               int min_inliers, Accept&& accept, PlaneFit& fit) {
   const int x0 = std::max(u0 - radius, 0), x1 = std::min(u0 + radius, inverse_depth.width - 1);
   const int y0 = std::max(v0 - radius, 0), y1 = std::min(v0 + radius, inverse_depth.height - 1);
   fit = {start, 0, 0, 0, 0};

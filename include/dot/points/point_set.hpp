@@ -14,10 +14,10 @@ DOT_BEGIN_NAMESPACE
 struct PointSet {
   static constexpr int kMaxLevels = 6;
 
-  std::vector<float> u, v;     ///< pixels of level 0
-  std::vector<float> x, y;     ///< ray (x, y, 1), camera axes
-  std::vector<float> q;        ///< inverse depth, 1/m
-  std::vector<float> sigma_q;  ///< 1/m
+  std::vector<float> u, v;                               ///< pixels of level 0
+  std::vector<float> x, y;                               ///< ray (x, y, 1), camera axes
+  std::vector<float> q;                                  ///< inverse depth, 1/m
+  std::vector<float> sigma_q;                            ///< 1/m
   std::array<std::vector<float>, kMaxLevels> intensity;  ///< grey value at each pyramid level
   int levels = 0;
 

@@ -40,8 +40,8 @@ struct Selector {
   /// @param min_gradient grey values per pixel.
   /// @param shared a plane for all points (distant object), or null.
   template <typename Accept, typename Support>
-  void operator()(const Box& box, int budget, int radius, double min_gradient, Accept&& accept, Support&& support, const PlaneFit* shared,
-                  int shared_u, int shared_v, PointSet& points) const {
+  void operator()(const Box& box, int budget, int radius, double min_gradient, Accept&& accept, Support&& support,
+                  const PlaneFit* shared, int shared_u, int shared_v, PointSet& points) const {
     const int border = 4;  // the samplers' and the blur's reach
     const int x0 = std::max(box.x, border), x1 = std::min(box.x + box.width, inverse_depth.width - border);
     const int y0 = std::max(box.y, border), y1 = std::min(box.y + box.height, inverse_depth.height - border);
@@ -84,7 +84,8 @@ struct Selector {
       out.resize(points.u.size());
       for (std::size_t i = 0; i < out.size(); ++i) {
         const float u = std::clamp((points.u[i] + 0.5f) * scale - 0.5f, 1.f, static_cast<float>(image.width()) - 2.01f);
-        const float v = std::clamp((points.v[i] + 0.5f) * scale - 0.5f, 1.f, static_cast<float>(image.height()) - 2.01f);
+        const float v =
+            std::clamp((points.v[i] + 0.5f) * scale - 0.5f, 1.f, static_cast<float>(image.height()) - 2.01f);
         out[i] = sample(image, u, v).value;
       }
     }

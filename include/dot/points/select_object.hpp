@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "dot/points/select.hpp"
 #include "dot/image/opencv.hpp"
+#include "dot/points/select.hpp"
 
 #include <opencv2/imgproc.hpp>
 
@@ -94,7 +94,7 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
   const float sigma = static_cast<float>(select.noise.pixel(out.median_q));
   const double focal = 0.5 * (select.camera.intrinsics().fx + select.camera.intrinsics().fy);
   const double size = std::sqrt(static_cast<double>(area)) / focal * z;  // metres
-  const double relief = 0.5 * size * out.median_q * out.median_q;             // in inverse depth
+  const double relief = 0.5 * size * out.median_q * out.median_q;        // in inverse depth
   PlaneFit plane;
   const int cu = box.x + w / 2, cv_ = box.y + h / 2;
   const bool flat = relief < 1.2 * sigma && fit_plane(depth, cu, cv_, std::max(w, h) / 2 + 1, out.median_q, 5 * sigma,

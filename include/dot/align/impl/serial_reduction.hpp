@@ -64,8 +64,8 @@ int SerialReduction::run(const PointSet& points, int level, const Camera& camera
       if (depth.inverse_depth.contains(u, v)) {
         const float measured = depth.inverse_depth(u, v);
         const float difference = measured - qi;
-        const bool nearer = measured > 0 && difference > std::max(depth.occlusion_relative * qi,
-                                                                 depth.occlusion_sigmas * depth.sigma);
+        const bool nearer =
+            measured > 0 && difference > std::max(depth.occlusion_relative * qi, depth.occlusion_sigmas * depth.sigma);
         const bool hidden = depth.hidden.data != nullptr && depth.hidden(u, v);
         if (nearer || hidden) {
           p.occluded = 1;

@@ -35,7 +35,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::reset() {
   camera_state_ = {};
   T_cur_background_ = {};
   background_.clear();
-  depth_learning_.clear();
+  depth_learning_.forget();
+  if constexpr (std::is_same_v<Noise, DepthNoise>)
+    depth_noise.pixel_scale = depth_noise.common_scale = depth_noise.change_scale = 1;
   tracks_.clear();
 }
 
@@ -44,20 +46,20 @@ const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame)
   validate(frame, camera_.width(), camera_.height(), has_previous_, current_.timestamp);
   clock_ = std::chrono::steady_clock::now();
 
-  build(frame);          // pyramid, inverse depth
+  build(frame);  // pyramid, inverse depth
   take_time(Stage::Image);
   camera_motion(frame);  // T_c from the background of the previous frame, or the host's
   take_time(Stage::Camera);
-  predict_tracks();      // masks warped into this frame
+  predict_tracks();  // masks warped into this frame
   read_masks(frame);
-  associate();           // network masks to tracks; nothing to do without
+  associate();  // network masks to tracks; nothing to do without
   take_time(Stage::Masks);
-  follow_and_decide();   // Algorithm 1: T_o of each object, nearest first, and its state
+  follow_and_decide();  // Algorithm 1: T_o of each object, nearest first, and its state
   take_time(Stage::Objects);
-  place_masks();         // warped by T_c T_o; new objects
+  place_masks();  // warped by T_c T_o; new objects
   label();
   take_time(Stage::Label);
-  make_references();     // points of this frame for the next ones
+  make_references();  // points of this frame for the next ones
   take_time(Stage::Points);
   write_result(frame);
   has_previous_ = true;
@@ -84,9 +86,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::build(const Frame& frame) {
   }
   current_.timestamp = frame.timestamp;
   to_grey(frame.image, current_.grey);
-  current_.pyramid.build(current_.grey.view(),
-                         pyramid_levels(frame.image.width, frame.image.height,
-                                        std::min(options_.align.max_levels, PointSet::kMaxLevels)));
+  current_.pyramid.build(
+      current_.grey.view(),
+      pyramid_levels(frame.image.width, frame.image.height, std::min(options_.align.max_levels, PointSet::kMaxLevels)));
   current_.valid_depth = to_inverse_depth(frame.depth, options_.selection.max_depth, current_.inverse_depth);
 }
 
@@ -110,8 +112,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
     c.status = CameraStatus::TooLittleDepth;
   } else {
     const SE3d T_prev_background = T_cur_background_;
-    c.alignment = camera_estimator.estimate(background_, current_.pyramid, camera_, c.T_cur_prev * T_prev_background, c.rate_known,
-                                              options_.camera.search_speed * current_.dt, aligner);
+    c.alignment = camera_estimator.estimate(background_, current_.pyramid, camera_, c.T_cur_prev * T_prev_background,
+                                            c.rate_known, options_.camera.search_speed * current_.dt, aligner);
     const Alignment& a = c.alignment;
     const bool ok = a.covariance.allFinite() && a.state.T.t.allFinite() && a.phi >= options_.camera.min_phi &&
                     a.seen >= options_.camera.min_points && a.inliers >= options_.camera.min_inliers * a.seen;
@@ -148,8 +150,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
     depth_learning_.remember(camera_, current_.inverse_depth, blocked_, current_.timestamp);
   const auto free = [&](int x, int y) { return blocked_(x, y) == 0; };
   fresh_.clear();
-  select({0, 0, camera_.width(), camera_.height()}, options_.selection.background_points, options_.selection.window_radius,
-         options_.selection.min_gradient, free, [](int, int) { return true; }, nullptr, 0, 0, fresh_);
+  select(
+      {0, 0, camera_.width(), camera_.height()}, options_.selection.background_points, options_.selection.window_radius,
+      options_.selection.min_gradient, free, [](int, int) { return true; }, nullptr, 0, 0, fresh_);
   result_.too_little_depth = fresh_.size() < options_.camera.min_points;
   if (result_.too_little_depth) {  // go on with the points that the camera was last aligned to
     T_cur_background_ = camera_state_.T_cur_prev * T_cur_background_;

@@ -27,9 +27,16 @@ void Dot<Camera, Classifier, Noise, Aligner>::predict_tracks() {
     }
     const bool moves = t.state == State::Moving || t.p_moving > 0.5;
     t.T_o_predicted = moves ? SE3d::translation(t.velocity * current_.dt) : SE3d{};
-    warp(t.outline, c.T_cur_prev * t.T_o_predicted * t.T_cur_outline, camera_, current_.inverse_depth.view(),
-         options_.mask.depth_tolerance, warp_workspace_, t.predicted);
+    warp_outline(t, c.T_cur_prev * t.T_o_predicted * t.T_cur_outline);
   }
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::warp_outline(TrackT& object, const SE3d& T_cur_outline) {
+  const ImageView<const float> trim_by =
+      object.outline.measured ? current_.inverse_depth.view() : ImageView<const float>{};
+  warp(object.outline, T_cur_outline, camera_, trim_by, options_.mask.depth_tolerance, warp_workspace_,
+       object.predicted);
 }
 
 /// The instances of the frame's segmentation, whichever way they came.
@@ -97,8 +104,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::match(const std::vector<TrackT*>& 
   }
 }
 
-/// Masks of this frame: the network's where there is one, otherwise the outline moved by T_c T_o. What the network shows
-/// and no track explains, now that their motions are known, becomes a new track.
+/// Masks of this frame: the network's where there is one, otherwise the outline moved by T_c T_o. What the network
+/// shows and no track explains, now that their motions are known, becomes a new track.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
   std::vector<TrackT*> unmatched;
@@ -110,7 +117,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
     if (t.observed) {
       t.mask = *t.observed;
       const double q = t.outline.median > 0 ? t.outline.median : 1 / options_.selection.max_depth;
-      if (!make_template(t.mask, current_.inverse_depth.view(), options_.mask.depth_tolerance, template_workspace_, t.outline))
+      if (!make_template(t.mask, current_.inverse_depth.view(), options_.mask.depth_tolerance, template_workspace_,
+                         t.outline))
         make_flat_template(t.mask, q, t.outline);
       t.T_cur_outline = {};
       t.visible = true;

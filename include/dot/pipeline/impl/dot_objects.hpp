@@ -57,7 +57,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
   std::vector<SE3d> T_o = starts(object, newest);
   const double age = current_.timestamp - newest.timestamp;
   if (!object.has_motion)
-    for (const SE3d& T : object_estimator.search(newest, scene, photometry, age, depth_noise, aligner)) T_o.push_back(T);
+    for (const SE3d& T : object_estimator.search(newest, scene, photometry, age, depth_noise, aligner))
+      T_o.push_back(T);
   ObjectFit fit = object_estimator.fit(newest, scene, T_o, photometry, age, depth_noise, aligner);
   SE3d T_cur_prev_object = T_c * object.T_o_predicted;
   const auto decide_by = [&](const ObjectReference& reference, const MotionEstimate& motion) {
@@ -108,8 +109,7 @@ std::vector<SE3d> Dot<Camera, Classifier, Noise, Aligner>::starts(const TrackT& 
   };
   add(r.T_cur_ref.inverse() * T_c * object.T_o_predicted * r.T_obj_cur_ref);
   add(SE3d{});
-  if (object.has_motion)
-    add(r.T_cur_ref.inverse() * T_c * object.T_o_last * r.T_obj_cur_ref);
+  if (object.has_motion) add(r.T_cur_ref.inverse() * T_c * object.T_o_last * r.T_obj_cur_ref);
   const auto add_observed = [&](const Mask& mask) {
     const Vector3<double> now = anchor(mask);
     if (now.z() <= 0 || r.anchor.z() <= 0) return;
@@ -143,7 +143,8 @@ Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask
   if (q.size() < 10) return Vector3<double>::Zero();
   const auto middle = q.begin() + static_cast<std::ptrdiff_t>(q.size() / 2);
   std::nth_element(q.begin(), middle, q.end());
-  return camera_.template unproject<double>(Vector2<double>(u / mask.area, v / mask.area)) / static_cast<double>(*middle);
+  return camera_.template unproject<double>(Vector2<double>(u / mask.area, v / mask.area)) /
+         static_cast<double>(*middle);
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -170,8 +171,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object) {
   object.has_motion = fitted;
   if (fitted) object.T_o_last = T_c * T_o * T_c.inverse();
   object.ever_fitted = object.ever_fitted || fitted;
-  warp(object.outline, object.T_cur_outline, camera_, current_.inverse_depth.view(), options_.mask.depth_tolerance,
-       warp_workspace_, object.predicted);
+  warp_outline(object, object.T_cur_outline);
 }
 
 DOT_END_NAMESPACE

@@ -53,6 +53,7 @@ struct Alignment {
   double phi = 0;  ///< Pearson correlation of the inliers
   int inside = 0, seen = 0, occluded = 0, inliers = 0;
   int with_depth = 0, depth_agrees = 0;  ///< seen points with measured depth; those that agree with the prediction
+  double depth_scatter = 0;  ///< robust sigma of measured minus predicted inverse depth, 1/m; 0 where there is none
   int iterations = 0;
   bool converged = false;
 };
@@ -90,6 +91,7 @@ struct DirectAligner {
     reduction.residuals(problem.points, 0, camera, problem.image.levels[0], a.state, noise, problem.depth, residuals_);
     Pearson pearson;
     double sum = 0;
+    scratch_.clear();
     a.inside = a.seen = a.occluded = a.inliers = a.with_depth = a.depth_agrees = 0;
     for (std::size_t i = 0; i < residuals_.size(); ++i) {
       const PointResidual& p = residuals_[i];
@@ -98,6 +100,7 @@ struct DirectAligner {
       ++a.seen;
       if (p.has_depth) {
         ++a.with_depth;
+        scratch_.push_back(std::abs(p.r_depth));
         a.depth_agrees += std::abs(p.r_depth) < problem.depth.agreement;
       }
       if (sq(p.r) > sq(settings.outlier) * s2(p)) continue;
@@ -107,6 +110,7 @@ struct DirectAligner {
     }
     a.inside = a.seen + a.occluded;
     a.phi = pearson.correlation();
+    a.depth_scatter = static_cast<double>(mad_sigma(scratch_));
     a.normalised_variance = a.inliers ? sum / a.inliers : 0;
   }
 

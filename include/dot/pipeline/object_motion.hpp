@@ -191,12 +191,15 @@ struct ObjectMotionEstimator {
   }
 
   /// V dt^2: photometric + depth errors that the object's points share, propagated through the fit (constant over the
-  /// object, linear over it in u and v, and changing between the frames) + the camera's.
+  /// object, linear over it in u and v, and changing between the frames) + the camera's. An object whose measured depth
+  /// scatters more about the prediction than the noise says has worse depth than the background that taught it: its
+  /// depth errors are scaled by that.
   template <typename Noise>
   Matrix3<double> displacement_covariance(const ObjectReference& reference, const Alignment& a,
                                           const Vector3<double>& moved, const Noise& noise) const {
     const double q = 1 / std::max(0.05, reference.centroid.z());
-    const double common = noise.common(q), pixel = noise.pixel(q);
+    const double excess = std::clamp(a.depth_scatter / (1.2 * noise.pixel(q)), 1.0, 4.0);
+    const double common = excess * noise.common(q), pixel = excess * noise.pixel(q);
     const double change = reference.intervals > 2 ? std::max(common, noise.change(q)) : noise.change(q);
     Matrix3<double> V = velocity.photometric_scale * a.covariance.topLeftCorner<3, 3>();
     const auto add = [&](const Vector8& mode, double variance) {

@@ -58,8 +58,8 @@ struct VelocitySettings {
 
 /// The paper's rule.
 struct EntropySettings {
-  double max_entropy = 0;      ///< nats: not observable above
-  double min_entropy = -60;    ///< nats: the literal rule's bound
+  double max_entropy = -14;    ///< nats: not observable above
+  double min_entropy = -25;    ///< nats: the literal rule's bound
   double min_disparity = 1.0;  ///< px
   double noise_factor = 3;     ///< k in f(H) = max(d_min, k d_noise)
 };

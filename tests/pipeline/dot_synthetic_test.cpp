@@ -244,6 +244,26 @@ TEST(Camera, OfTheHostIsUsed) {
   }
 }
 
+TEST(Camera, OfTheHostLeavesGainAndOffsetToUs) {
+  Film<> film = street();
+  film.camera_path = twisting({0, 0, 2}, {0, 0.1, 0});
+  dot::CameraMotion motion;
+  film.edit = [&](int i, dot::Frame& frame) {
+    if (i == 0) return;
+    motion.T_cur_prev = film.T_c().row_major();
+    frame.camera_motion = motion;
+  };
+  Dot<> dot = make_dot();
+  for (int i = 0; i < 5; ++i) film.next(dot);
+  film.degradation.gain = 0.6;
+  const Result& result = film.next(dot);
+  EXPECT_NEAR(result.camera.gain, 0.6, 0.02);
+  for (const int car : {parked, mover}) {
+    const ObjectResult* object = object_on(result, film.truth().ids, car);
+    EXPECT_TRUE(object && object->reason == Reason::None) << describe(object);
+  }
+}
+
 /// Takes all depth away from the frames first to last, in the ways in which a frame may have none.
 void blind(Film<>& film, int first, int last) {
   film.spoil = [=](int i, Rendering& seen) {

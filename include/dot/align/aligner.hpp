@@ -47,7 +47,8 @@ struct Alignment {
   AlignState state;             ///< T = T_i_j
   Matrix8 H = Matrix8::Zero();  ///< information of [x; a; b], prior included
   Matrix8 covariance = Matrix8::Zero();
-  std::array<Vector8, 4> depth_modes{};  ///< x that a unit of each depth error mode causes (NormalEquations::modes)
+  /// x that a unit of each depth error mode causes (NormalEquations::modes)
+  std::array<Vector8, 4> depth_modes{Vector8::Zero(), Vector8::Zero(), Vector8::Zero(), Vector8::Zero()};
   double sigma_intensity = 0;            ///< grey values, level 0
   double normalised_variance = 0;
   double phi = 0;  ///< Pearson correlation of the inliers
@@ -148,6 +149,26 @@ struct DirectAligner {
     reduction.residuals(problem.points, level, camera, problem.image.levels[static_cast<std::size_t>(level)], state,
                         noise, problem.depth, residuals_);
     return scale_of_residuals();
+  }
+
+  /// Gain and offset at a given motion, by a line through the intensities, robustly: for a motion that was not aligned.
+  template <typename Camera>
+  AlignState photometry(const AlignProblem<Camera>& problem, const SE3d& T) {
+    AlignState state{T};
+    excluded_.clear();
+    for (int pass = 0; pass < 3; ++pass) {
+      const double limit = pass == 0 ? 1e9 : 2 * intensity_sigma(problem, state, 0);
+      reduction.residuals(problem.points, 0, problem.camera, problem.image.levels[0], state, ResidualNoise{},
+                          problem.depth, residuals_);
+      Pearson line;
+      for (std::size_t i = 0; i < residuals_.size(); ++i)
+        if (residuals_[i].seen && std::abs(residuals_[i].r) < limit)
+          line.add(static_cast<double>(problem.points.intensity[0][i]), static_cast<double>(residuals_[i].value));
+      if (line.n < 10 || line.slope() <= 0) return AlignState{T};
+      state.gain = line.slope();
+      state.offset = line.intercept();
+    }
+    return state;
   }
 
  private:

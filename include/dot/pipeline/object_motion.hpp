@@ -24,6 +24,7 @@ struct ObjectReference {
   int intervals = 0;                                   ///< frames since
   SE3d T_cur_ref;                                      ///< camera motion since then
   Matrix6<double> camera_covariance = Matrix6<double>::Zero();  ///< of T_cur_ref, left twist
+  double gain = 1, offset = 0;                                  ///< of the image since then, the camera's
   SE3d T_obj_cur_ref;  ///< the object's points since then, camera and own motion composed
 };
 
@@ -58,9 +59,9 @@ struct ObjectMotionEstimator {
   /// @param starts of T_o, in the reference camera's axes, the most trusted first.
   template <typename Camera, typename Noise, typename Aligner>
   ObjectFit fit(const ObjectReference& reference, const ObjectScene<Camera>& scene, const std::vector<SE3d>& starts,
-                const AlignState& photometry, double dt, const Noise& noise, Aligner& aligner) const {
+                double dt, const Noise& noise, Aligner& aligner) const {
     ObjectFit out;
-    const AlignProblem<Camera> problem = make_problem(reference, scene, photometry, dt, noise);
+    const AlignProblem<Camera> problem = make_problem(reference, scene, dt, noise);
     if (reference.points.size() < settings.min_points) {
       out.reason = Reason::TooLittleTexture;
       return out;
@@ -71,7 +72,7 @@ struct ObjectMotionEstimator {
     while (top > 0 && std::sqrt(1.0 * reference.area) / (1 << top) < 5) --top;
     std::vector<Alignment> candidates;
     for (const SE3d& T_o : starts)
-      candidates.push_back(aligner.align(problem, {problem.T_outer * T_o, photometry.gain, photometry.offset}, top));
+      candidates.push_back(aligner.align(problem, {problem.T_outer * T_o, reference.gain, reference.offset}, top));
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
     // A later start must win by a margin: equal minima should not alternate.
@@ -97,12 +98,12 @@ struct ObjectMotionEstimator {
 
   /// Of many velocities the starts that fit best on a coarse level; for an object without history.
   template <typename Camera, typename Noise, typename Aligner>
-  std::vector<SE3d> search(const ObjectReference& reference, const ObjectScene<Camera>& scene,
-                           const AlignState& photometry, double dt, const Noise& noise, Aligner& aligner) const {
+  std::vector<SE3d> search(const ObjectReference& reference, const ObjectScene<Camera>& scene, double dt,
+                           const Noise& noise, Aligner& aligner) const {
     if (reference.points.size() < settings.min_points) return {};
-    const AlignProblem<Camera> problem = make_problem(reference, scene, photometry, dt, noise);
+    const AlignProblem<Camera> problem = make_problem(reference, scene, dt, noise);
     const int level = std::min({2, reference.points.levels - 1, scene.image.size() - 1});
-    const AlignState still{problem.T_outer, photometry.gain, photometry.offset};
+    const AlignState still{problem.T_outer, reference.gain, reference.offset};
     const double sigma = aligner.intensity_sigma(problem, still, level);
     // Steps of two pixels of that level sideways; along the ray as far as makes the same change of scale at the border.
     const double z = std::max(0.1, reference.centroid.z()), reach = settings.search_speed * dt;
@@ -126,14 +127,14 @@ struct ObjectMotionEstimator {
 
  private:
   template <typename Camera, typename Noise>
-  AlignProblem<Camera> make_problem(const ObjectReference& reference, const ObjectScene<Camera>& scene,
-                                    const AlignState& photometry, double dt, const Noise& noise) const {
+  AlignProblem<Camera> make_problem(const ObjectReference& reference, const ObjectScene<Camera>& scene, double dt,
+                                    const Noise& noise) const {
     AlignProblem<Camera> problem{reference.points, scene.image, scene.camera};
     problem.T_outer = reference.T_cur_ref;
     problem.centred = true;
     problem.centroid = reference.centroid;
     problem.prior = prior_information(dt);
-    problem.photometry = photometry;
+    problem.photometry = {SE3d{}, reference.gain, reference.offset};
     problem.gain_information = 1 / (prior.gain * prior.gain);
     problem.offset_information = 1 / (prior.offset * prior.offset);
     problem.hidden_cost = 1;  // an inlier costs about 0.45, an outlier 3.7

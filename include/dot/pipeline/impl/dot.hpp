@@ -108,6 +108,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
     c.status = CameraStatus::FromHost;
     c.T_cur_prev = SE3d::from_row_major(frame.camera_motion->T_cur_prev).normalized();
     c.covariance = Eigen::Map<const Matrix6<double>, Eigen::Unaligned>(frame.camera_motion->covariance.data());
+    c.alignment.state = aligner.photometry(AlignProblem<Camera>{background_, current_.pyramid, camera_},
+                                           c.T_cur_prev * T_cur_background_);
   } else if (background_.size() < options_.camera.min_points) {
     c.status = CameraStatus::TooLittleDepth;
   } else {

@@ -23,6 +23,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::predict_tracks() {
     for (ObjectReference& r : t.references) {
       r.T_cur_ref = c.T_cur_prev * r.T_cur_ref;
       r.camera_covariance = Ad * r.camera_covariance * Ad.transpose() + c.covariance;
+      r.gain *= c.alignment.state.gain;
+      r.offset = c.alignment.state.gain * r.offset + c.alignment.state.offset;
       ++r.intervals;
     }
     const bool moves = t.state == State::Moving || t.p_moving > 0.5;

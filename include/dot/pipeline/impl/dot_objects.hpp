@@ -49,17 +49,14 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     return;
   }
   const ObjectScene<Camera> scene{current_.pyramid, camera_, current_.inverse_depth.view(), nearer_.view()};
-  // Shadow and light differ from object to object: gain and offset start at the camera's and are free.
-  const AlignState photometry = camera_state_.alignment.state;
   const SE3d& T_c = camera_state_.T_cur_prev;
 
   const ObjectReference& newest = object.references.front();
   std::vector<SE3d> T_o = starts(object, newest);
   const double age = current_.timestamp - newest.timestamp;
   if (!object.has_motion)
-    for (const SE3d& T : object_estimator.search(newest, scene, photometry, age, depth_noise, aligner))
-      T_o.push_back(T);
-  ObjectFit fit = object_estimator.fit(newest, scene, T_o, photometry, age, depth_noise, aligner);
+    for (const SE3d& T : object_estimator.search(newest, scene, age, depth_noise, aligner)) T_o.push_back(T);
+  ObjectFit fit = object_estimator.fit(newest, scene, T_o, age, depth_noise, aligner);
   SE3d T_cur_prev_object = T_c * object.T_o_predicted;
   const auto decide_by = [&](const ObjectReference& reference, const MotionEstimate& motion) {
     if (object.has_decisive && motion.covariance.trace() >= object.decisive.covariance.trace()) return;
@@ -85,8 +82,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     last = k;
     const ObjectReference& older = object.references[static_cast<std::size_t>(k)];
     const SE3d start = older.T_cur_ref.inverse() * T_cur_prev_object * older.T_obj_cur_ref;
-    const ObjectFit long_fit = object_estimator.fit(older, scene, {start}, photometry,
-                                                    current_.timestamp - older.timestamp, depth_noise, aligner);
+    const ObjectFit long_fit =
+        object_estimator.fit(older, scene, {start}, current_.timestamp - older.timestamp, depth_noise, aligner);
     if (long_fit.ok()) decide_by(older, long_fit.motion);
   }
 }

@@ -167,8 +167,9 @@ TEST(AlignObject, DepthModesPredictWhatADepthErrorDoes) {
     DirectAligner<> aligner;
     return aligner.align(changed, {T_c * pair.T_o}, 0);
   };
-  const auto [u0, u1] = std::minmax_element(pair.points.u.begin(), pair.points.u.end());
-  const auto [v0, v1] = std::minmax_element(pair.points.v.begin(), pair.points.v.end());
+  const auto u_range = std::minmax_element(pair.points.u.begin(), pair.points.u.end());
+  const auto v_range = std::minmax_element(pair.points.v.begin(), pair.points.v.end());
+  const float u0 = *u_range.first, u1 = *u_range.second, v0 = *v_range.first, v1 = *v_range.second;
   const Alignment photometric = align(pair.points, pair.inverse_depth, 0);
   const Alignment both = align(pair.points, pair.inverse_depth, 1);
   for (std::size_t mode = 0; mode < 4; ++mode) {
@@ -181,7 +182,7 @@ TEST(AlignObject, DepthModesPredictWhatADepthErrorDoes) {
         for (int y = 0; y < measured.height(); ++y)
           for (int x = 0; x < measured.width(); ++x) measured(x, y) += size;
       for (std::size_t i = 0; i < points.u.size() && mode < 3; ++i) {
-        const float m[] = {1, 2 * (points.u[i] - *u0) / (*u1 - *u0) - 1, 2 * (points.v[i] - *v0) / (*v1 - *v0) - 1};
+        const float m[] = {1, 2 * (points.u[i] - u0) / (u1 - u0) - 1, 2 * (points.v[i] - v0) / (v1 - v0) - 1};
         points.q[i] += size * m[mode];
       }
       const Alignment off = align(points, measured, mode == 3 ? 1 : 0);

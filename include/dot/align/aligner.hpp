@@ -12,6 +12,7 @@
 #include "dot/align/reduction.hpp"
 #include "dot/align/robust.hpp"
 #include "dot/align/settings.hpp"
+#include "dot/image/depth_pyramid.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -26,6 +27,7 @@ struct AlignProblem {
   const Pyramid& image;
   const Camera& camera;
   DepthTerm depth{};
+  const DepthPyramid* depth_pyramid = nullptr;  ///< of the new frame; null: depth.inverse_depth serves at all levels
   SE3d T_outer{};
   bool centred = false;
   Vector3<double> centroid = Vector3<double>::Zero();  ///< c, camera axes of the reference
@@ -34,6 +36,14 @@ struct AlignProblem {
   double gain_information = 0;                         ///< of the gain about that
   double offset_information = 0;                       ///< of the offset about that
   double hidden_cost = 0;  ///< what a hidden point, or one that left the image, counts when minima are ranked
+
+  /// The depth term at a pyramid level.
+  DepthTerm depth_at(int level) const {
+    DepthTerm term = depth;
+    if (depth_pyramid)
+      term.inverse_depth = depth_pyramid->levels[static_cast<std::size_t>(level)].view(), term.level = level;
+    return term;
+  }
 
   /// Cost of gain and offset being unexpected; keeps a flat region from explaining everything by no contrast at all.
   double photometric_cost(const AlignState& s) const {
@@ -49,7 +59,7 @@ struct Alignment {
   Matrix8 covariance = Matrix8::Zero();
   /// x that a unit of each depth error mode causes (NormalEquations::modes)
   std::array<Vector8, 4> depth_modes{Vector8::Zero(), Vector8::Zero(), Vector8::Zero(), Vector8::Zero()};
-  double sigma_intensity = 0;            ///< grey values, level 0
+  double sigma_intensity = 0;  ///< grey values, level 0
   double normalised_variance = 0;
   double phi = 0;  ///< Pearson correlation of the inliers
   int inside = 0, seen = 0, occluded = 0, inliers = 0;
@@ -80,16 +90,15 @@ struct DirectAligner {
   /// level 0, and fills the statistics.
   template <typename Camera>
   void finish(const AlignProblem<Camera>& problem, Alignment& a) {
-    const Camera camera = problem.camera;
-    evaluate(problem, camera, 0, a);
+    residuals(problem, 0, a.state, a.sigma_intensity);
+    a.sigma_intensity = scale_of_residuals();
     excluded_.assign(static_cast<std::size_t>(problem.points.size()), 0);
     const auto s2 = [&](const PointResidual& p) { return sq(a.sigma_intensity) + static_cast<double>(p.extra); };
     for (std::size_t i = 0; i < residuals_.size(); ++i)
       excluded_[i] = residuals_[i].seen && sq(residuals_[i].r) > sq(settings.outlier) * s2(residuals_[i]);
     refine(problem, 0, a);
     // Statistics over all points, the excluded too.
-    const ResidualNoise noise = residual_noise(a);
-    reduction.residuals(problem.points, 0, camera, problem.image.levels[0], a.state, noise, problem.depth, residuals_);
+    residuals(problem, 0, a.state, a.sigma_intensity);
     Pearson pearson;
     double sum = 0;
     scratch_.clear();
@@ -119,14 +128,10 @@ struct DirectAligner {
   /// term and, where the problem sets it, a cost of hidden points. Infinite when nothing is visible.
   template <typename Camera>
   double rank(const AlignProblem<Camera>& problem, const AlignState& state, int level, double sigma_intensity) {
-    const Camera camera = problem.camera.at_level(level);
-    ResidualNoise noise{static_cast<float>(sigma_intensity), static_cast<float>(settings.gradient_noise),
-                        static_cast<float>(settings.huber)};
-    reduction.residuals(problem.points, level, camera, problem.image.levels[static_cast<std::size_t>(level)], state,
-                        noise, problem.depth, residuals_);
+    residuals(problem, level, state, sigma_intensity);
     double sum = 0;
     int seen = 0;
-    const float s2 = noise.sigma_intensity * noise.sigma_intensity, c = static_cast<float>(settings.tukey);
+    const float s2 = static_cast<float>(sq(sigma_intensity)), c = static_cast<float>(settings.tukey);
     for (const PointResidual& p : residuals_) {
       if (!p.seen) continue;
       ++seen;
@@ -144,10 +149,7 @@ struct DirectAligner {
   /// Robust sigma_I of a level at a pose: the value at which the median normalised residual is that of a normal.
   template <typename Camera>
   double intensity_sigma(const AlignProblem<Camera>& problem, const AlignState& state, int level) {
-    const Camera camera = problem.camera.at_level(level);
-    ResidualNoise noise{1, static_cast<float>(settings.gradient_noise), static_cast<float>(settings.huber)};
-    reduction.residuals(problem.points, level, camera, problem.image.levels[static_cast<std::size_t>(level)], state,
-                        noise, problem.depth, residuals_);
+    residuals(problem, level, state, 1);
     return scale_of_residuals();
   }
 
@@ -158,8 +160,7 @@ struct DirectAligner {
     excluded_.clear();
     for (int pass = 0; pass < 3; ++pass) {
       const double limit = pass == 0 ? 1e9 : 2 * intensity_sigma(problem, state, 0);
-      reduction.residuals(problem.points, 0, problem.camera, problem.image.levels[0], state, ResidualNoise{},
-                          problem.depth, residuals_);
+      residuals(problem, 0, state, 1);
       Pearson line;
       for (std::size_t i = 0; i < residuals_.size(); ++i)
         if (residuals_[i].seen && std::abs(residuals_[i].r) < limit)
@@ -174,9 +175,16 @@ struct DirectAligner {
  private:
   static double sq(double x) { return x * x; }
 
-  ResidualNoise residual_noise(const Alignment& a) const {
-    return {static_cast<float>(a.sigma_intensity), static_cast<float>(settings.gradient_noise),
+  ResidualNoise residual_noise(double sigma_intensity) const {
+    return {static_cast<float>(sigma_intensity), static_cast<float>(settings.gradient_noise),
             static_cast<float>(settings.huber)};
+  }
+
+  template <typename Camera>
+  void residuals(const AlignProblem<Camera>& problem, int level, const AlignState& state, double sigma_intensity) {
+    reduction.residuals(problem.points, level, problem.camera.at_level(level),
+                        problem.image.levels[static_cast<std::size_t>(level)], state, residual_noise(sigma_intensity),
+                        problem.depth_at(level), residuals_);
   }
 
   double scale_of_residuals() {
@@ -197,26 +205,21 @@ struct DirectAligner {
     return sigma;
   }
 
-  template <typename Camera>
-  void evaluate(const AlignProblem<Camera>& problem, const Camera& camera, int level, Alignment& a) {
-    reduction.residuals(problem.points, level, camera, problem.image.levels[static_cast<std::size_t>(level)], a.state,
-                        residual_noise(a), problem.depth, residuals_);
-    a.sigma_intensity = scale_of_residuals();
-  }
-
   /// Gauss-Newton on one level, twice: the residual scale follows the first convergence.
   template <typename Camera>
   void refine(const AlignProblem<Camera>& problem, int level, Alignment& a) {
     const Camera camera = problem.camera.at_level(level);
     const Image<std::uint8_t>& image = problem.image.levels[static_cast<std::size_t>(level)];
+    const DepthTerm depth = problem.depth_at(level);
     for (int round = 0; round < 2; ++round) {
-      evaluate(problem, camera, level, a);
-      const ResidualNoise noise = residual_noise(a);
+      residuals(problem, level, a.state, a.sigma_intensity);
+      a.sigma_intensity = scale_of_residuals();
+      const ResidualNoise noise = residual_noise(a.sigma_intensity);
       AlignState accepted = a.state;
       double accepted_cost = std::numeric_limits<double>::infinity();
       a.converged = false;
       for (int iteration = 0; iteration < settings.max_iterations; ++iteration) {
-        NormalEquations sums = reduction.linearize(problem.points, level, camera, image, a.state, noise, problem.depth,
+        NormalEquations sums = reduction.linearize(problem.points, level, camera, image, a.state, noise, depth,
                                                    excluded_.data(), residuals_);
         if (sums.seen < 10) {
           a.state = accepted;

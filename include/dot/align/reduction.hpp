@@ -29,6 +29,7 @@ struct DepthTerm {
   ImageView<const std::uint8_t> hidden;  ///< non-zero: a nearer object covers the pixel; may be empty
   float occlusion_relative = 0.15f;      ///< a measured surface nearer by this share hides the point ...
   float occlusion_sigmas = 6;            ///< ... if it also exceeds this many sigma
+  int level = 0;                         ///< pyramid level of inverse_depth; `hidden` is of level 0
   float sigma = 0;                       ///< of the difference measured - predicted, 1/m
   float agreement = 0;                   ///< difference within which the two agree, 1/m
   float weight = 0;                      ///< of one point's depth residual

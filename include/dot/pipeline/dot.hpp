@@ -64,10 +64,10 @@ class Dot {
   struct Current {
     Image<std::uint8_t> grey;
     Pyramid pyramid;
-    Image<float> inverse_depth;
-    int valid_depth = 0;
+    DepthPyramid depth;
     double timestamp = 0;
     double dt = 0;  ///< seconds since the reference, 0 when there is none
+    const Image<float>& inverse_depth() const { return depth.levels[0]; }
   };
   struct CameraState {
     CameraStatus status = CameraStatus::FirstFrame;

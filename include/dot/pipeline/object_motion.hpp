@@ -33,7 +33,7 @@ template <typename Camera>
 struct ObjectScene {
   const Pyramid& image;
   const Camera& camera;
-  ImageView<const float> inverse_depth;  ///< of the frame, 1/m
+  const DepthPyramid& depth;             ///< of the frame
   ImageView<const std::uint8_t> hidden;  ///< non-zero where a nearer object was found already
 };
 
@@ -140,7 +140,8 @@ struct ObjectMotionEstimator {
     problem.hidden_cost = 1;  // an inlier costs about 0.45, an outlier 3.7
     const double q = 1 / std::max(0.05, reference.centroid.z());
     const double pixel = noise.pixel(q), change = noise.change(q);
-    problem.depth.inverse_depth = scene.inverse_depth;
+    problem.depth.inverse_depth = scene.depth.levels[0].view();
+    problem.depth_pyramid = &scene.depth;
     problem.depth.hidden = scene.hidden;
     problem.depth.sigma = static_cast<float>(std::sqrt(pixel * pixel + change * change));
     // On an object the depth may be worse than on the background that taught its noise.

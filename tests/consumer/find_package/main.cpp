@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFrames = 10;
+constexpr int kFrames = 24;  // the whole sample
 
 cv::Mat read(const fs::path& path) {
   cv::Mat image = cv::imread(path.string(), cv::IMREAD_UNCHANGED);

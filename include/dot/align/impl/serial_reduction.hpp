@@ -28,7 +28,8 @@ int SerialReduction::run(const PointSet& points, int level, const Camera& camera
   const Matrix3<float> R = state.T.R.cast<float>();
   const Vector3f t = state.T.t.cast<float>();
   const float gain = static_cast<float>(state.gain), offset = static_cast<float>(state.offset);
-  const float scale = static_cast<float>(1 << level);
+  // From pixels of this level to those of the depth, and of level 0.
+  const float to_depth = std::ldexp(1.f, level - depth.level), to_base = std::ldexp(1.f, level);
   const float u_max = static_cast<float>(image.width() - 3), v_max = static_cast<float>(image.height() - 3);
   const float s2_intensity = noise.sigma_intensity * noise.sigma_intensity;
   const float gradient2 = noise.gradient_noise * noise.gradient_noise;
@@ -60,13 +61,15 @@ int SerialReduction::run(const PointSet& points, int level, const Camera& camera
     if (!(pixel.x() >= 1 && pixel.y() >= 1 && pixel.x() < u_max && pixel.y() < v_max)) continue;
 
     if (use_depth) {
-      const int u = static_cast<int>((pixel.x() + 0.5f) * scale), v = static_cast<int>((pixel.y() + 0.5f) * scale);
+      const float left = pixel.x() + 0.5f, top = pixel.y() + 0.5f;  // of the image's edges
+      const int u = static_cast<int>(left * to_depth), v = static_cast<int>(top * to_depth);
       if (depth.inverse_depth.contains(u, v)) {
         const float measured = depth.inverse_depth(u, v);
         const float difference = measured - qi;
         const bool nearer =
             measured > 0 && difference > std::max(depth.occlusion_relative * qi, depth.occlusion_sigmas * depth.sigma);
-        const bool hidden = depth.hidden.data != nullptr && depth.hidden(u, v);
+        const bool hidden = depth.hidden.data != nullptr &&
+                            depth.hidden(static_cast<int>(left * to_base), static_cast<int>(top * to_base));
         if (nearer || hidden) {
           p.occluded = 1;
           if (sums) ++sums->occluded;

@@ -89,7 +89,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::build(const Frame& frame) {
   current_.pyramid.build(
       current_.grey.view(),
       pyramid_levels(frame.image.width, frame.image.height, std::min(options_.align.max_levels, PointSet::kMaxLevels)));
-  current_.valid_depth = to_inverse_depth(frame.depth, options_.selection.max_depth, current_.inverse_depth);
+  current_.depth.levels.resize(current_.pyramid.levels.size());
+  to_inverse_depth(frame.depth, options_.selection.max_depth, current_.depth.levels[0]);
+  current_.depth.build(current_.pyramid.size());
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -129,7 +131,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
   if (c.known()) c.rate = c.T_cur_prev.log() / current_.dt;
   if constexpr (std::is_same_v<Noise, DepthNoise>) {
     if (c.known())
-      depth_learning_.learn(camera_, c.T_cur_prev, current_.inverse_depth, current_.timestamp, depth_noise);
+      depth_learning_.learn(camera_, c.T_cur_prev, current_.inverse_depth(), current_.timestamp, depth_noise);
     else
       depth_learning_.clear();
   }
@@ -137,7 +139,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
-  const Selector<Camera, Noise> select{camera_, depth_noise, current_.pyramid, current_.inverse_depth.view(),
+  const Selector<Camera, Noise> select{camera_, depth_noise, current_.pyramid, current_.inverse_depth().view(),
                                        options_.selection};
   // Background: what no object covers, with a margin for ragged outlines.
   blocked_.resize(ids_.width(), ids_.height());
@@ -149,7 +151,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
   cv::Mat blocked = mat(blocked_.view());
   cv::dilate(blocked, blocked, cv::Mat::ones(9, 9, CV_8U));
   if constexpr (std::is_same_v<Noise, DepthNoise>)
-    depth_learning_.remember(camera_, current_.inverse_depth, blocked_, current_.timestamp);
+    depth_learning_.remember(camera_, current_.inverse_depth(), blocked_, current_.timestamp);
   const auto free = [&](int x, int y) { return blocked_(x, y) == 0; };
   fresh_.clear();
   select(

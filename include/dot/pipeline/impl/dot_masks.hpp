@@ -36,7 +36,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::predict_tracks() {
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::warp_outline(TrackT& object, const SE3d& T_cur_outline) {
   const ImageView<const float> trim_by =
-      object.outline.measured ? current_.inverse_depth.view() : ImageView<const float>{};
+      object.outline.measured ? current_.inverse_depth().view() : ImageView<const float>{};
   warp(object.outline, T_cur_outline, camera_, trim_by, options_.mask.depth_tolerance, warp_workspace_,
        object.predicted);
 }
@@ -119,7 +119,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
     if (t.observed) {
       t.mask = *t.observed;
       const double q = t.outline.median > 0 ? t.outline.median : 1 / options_.selection.max_depth;
-      if (!make_template(t.mask, current_.inverse_depth.view(), options_.mask.depth_tolerance, template_workspace_,
+      if (!make_template(t.mask, current_.inverse_depth().view(), options_.mask.depth_tolerance, template_workspace_,
                          t.outline))
         make_flat_template(t.mask, q, t.outline);
       t.T_cur_outline = {};

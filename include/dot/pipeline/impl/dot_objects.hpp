@@ -48,7 +48,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     object.fit.reason = object.no_reference;
     return;
   }
-  const ObjectScene<Camera> scene{current_.pyramid, camera_, current_.inverse_depth.view(), nearer_.view()};
+  const ObjectScene<Camera> scene{current_.pyramid, camera_, current_.depth, nearer_.view()};
   const SE3d& T_c = camera_state_.T_cur_prev;
 
   const ObjectReference& newest = object.references.front();
@@ -134,7 +134,7 @@ Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask
       if (!mask.pixels(x, y)) continue;
       u += mask.x + x;
       v += mask.y + y;
-      const float value = current_.inverse_depth(mask.x + x, mask.y + y);
+      const float value = current_.inverse_depth()(mask.x + x, mask.y + y);
       if (value > 0) q.push_back(value);
     }
   if (q.size() < 10) return Vector3<double>::Zero();

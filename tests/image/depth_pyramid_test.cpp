@@ -21,7 +21,8 @@ DepthPyramid make(int width, int height, int levels, float (*q)(int, int)) {
 
 TEST(DepthPyramid, PlaneStaysAPlane) {
   // u_l = (u_0 + 0.5) / 2^l - 0.5, so pixel x of level 2 lies at 4 x + 1.5.
-  const DepthPyramid p = make(33, 18, 3, [](int x, int y) { return 1 + 0.001f * x + 0.002f * y; });
+  const DepthPyramid p =
+      make(33, 18, 3, [](int x, int y) { return 1 + 0.001f * static_cast<float>(x) + 0.002f * static_cast<float>(y); });
   ASSERT_EQ(p.levels[2].width(), 8);
   ASSERT_EQ(p.levels[2].height(), 4);
   for (int y = 0; y < 4; ++y)

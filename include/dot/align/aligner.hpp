@@ -27,7 +27,6 @@ struct AlignProblem {
   const Pyramid& image;
   const Camera& camera;
   DepthTerm depth{};
-  const DepthPyramid* depth_pyramid = nullptr;  ///< of the new frame; null: depth.inverse_depth serves at all levels
   SE3d T_outer{};
   bool centred = false;
   Vector3<double> centroid = Vector3<double>::Zero();  ///< c, camera axes of the reference
@@ -36,6 +35,7 @@ struct AlignProblem {
   double gain_information = 0;                         ///< of the gain about that
   double offset_information = 0;                       ///< of the offset about that
   double hidden_cost = 0;  ///< what a hidden point, or one that left the image, counts when minima are ranked
+  const DepthPyramid* depth_pyramid = nullptr;  ///< of the new frame; null: depth.inverse_depth serves at all levels
 
   /// The depth term at a pyramid level.
   DepthTerm depth_at(int level) const {

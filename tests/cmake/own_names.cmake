@@ -11,7 +11,7 @@ endif()
 string(REGEX MATCHALL "[^\n ]*([^0-9]5Eigen|3dot[67]eigen(0|16|32|64))[^\n]*" shared "${symbols}")
 # Containers and views that compute nothing are the exception.
 string(REGEX MATCHALL "[WV] _ZNK?3dot[^\n]*" weak "${symbols}")
-list(FILTER weak EXCLUDE REGEX "_ZNK?3dot(4core|7Tracker|5Image|3mat|9image_ref)")
+list(FILTER weak EXCLUDE REGEX "4core|_ZNK?3dot(7Tracker|5Image|3mat|9image_ref)")
 list(APPEND shared ${weak})
 if(shared)
   list(JOIN shared "\n  " shared)

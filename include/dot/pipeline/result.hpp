@@ -94,11 +94,11 @@ struct ObjectResult {
 };
 
 /// Where the time of one `track` went.
-enum class Stage : std::uint8_t { Image, Camera, Masks, Objects, Motion, Label, Points, Count };
+enum class Stage : std::uint8_t { Image, Camera, Masks, Objects, Label, Points, Count };
 
 /// Name of a stage, lower case.
 constexpr const char* to_string(Stage stage) {
-  constexpr const char* names[] = {"image", "camera", "masks", "objects", "motion", "label", "points"};
+  constexpr const char* names[] = {"image", "camera", "masks", "objects", "label", "points"};
   return stage < Stage::Count ? names[static_cast<int>(stage)] : "?";
 }
 

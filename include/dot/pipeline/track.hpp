@@ -34,11 +34,10 @@ struct Track {
   std::deque<ObjectReference> references;     ///< newest first
   Reason no_reference = Reason::NoReference;  ///< why the last frame added none
   SE3d T_o_predicted;                         ///< constant velocity, previous camera's axes
-  SE3d T_o_last;                              ///< last accepted, axes of the camera before that interval
+  SE3d T_o_last;                              ///< last accepted, seen from the newest camera: the prediction
   bool has_motion = false;                    ///< T_o_last is that of the interval before this one
-  bool ever_fitted = false;
-  ObjectFit fit;            ///< over the last interval
-  MotionEstimate decisive;  ///< of the reference that tells most
+  ObjectFit fit;                              ///< over the last interval
+  MotionEstimate decisive;                    ///< of the reference that tells most
   bool has_decisive = false;
   State state = State::NotObservable;
   State last_decided = State::NotObservable;
@@ -46,8 +45,7 @@ struct Track {
   Vector3<double> velocity = Vector3<double>::Zero();  ///< fused, newest camera's axes
   Matrix3<double> velocity_covariance = Matrix3<double>::Zero();
   double last_seen = 0;  ///< timestamp
-  bool born_now = false;
-  bool lost = false;  ///< to be dropped before the next frame
+  bool lost = false;     ///< to be dropped before the next frame
 
   /// 1/m; nearer objects are followed first and painted last.
   double inverse_depth() const {

@@ -18,7 +18,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::predict_tracks() {
   const CameraState& c = camera_state_;
   const Matrix6<double> Ad = c.T_cur_prev.adjoint();
   for (TrackT& t : tracks_) {
-    t.born_now = t.segmented = false;
+    t.segmented = false;
     t.observed = nullptr;
     for (ObjectReference& r : t.references) {
       r.T_cur_ref = c.T_cur_prev * r.T_cur_ref;
@@ -149,7 +149,6 @@ void Dot<Camera, Classifier, Noise, Aligner>::start_tracks() {
     t.always_dynamic = o.always_dynamic;
     t.observed = &o.mask;
     t.segmented = true;
-    t.born_now = true;
     t.fit.reason = Reason::New;
     if (t.always_dynamic) t.state = t.last_decided = State::Moving, t.p_moving = 1;
     tracks_.push_back(std::move(t));

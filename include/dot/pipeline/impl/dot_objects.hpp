@@ -167,7 +167,6 @@ void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object) {
   // The same motion seen from this camera: the prediction for the next interval.
   object.has_motion = fitted;
   if (fitted) object.T_o_last = T_c * T_o * T_c.inverse();
-  object.ever_fitted = object.ever_fitted || fitted;
   warp_outline(object, object.T_cur_outline);
 }
 

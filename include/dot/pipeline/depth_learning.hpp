@@ -35,18 +35,28 @@ struct DepthLearning {
     SE3d T_cur_ref;
   };
 
-  /// One estimate with its number of frames.
+  /// One scale, from what up to kFrames frames say of it. Their median: where something passes by, a frame is far off.
   struct Scale {
-    double value = 1;
-    double frames = 0;
-    void add(double v) {
-      frames = std::min(frames + 1, 20.0);
-      value += (v - value) / frames;
+    static constexpr std::size_t kFrames = 20;
+    std::vector<float> said;
+    std::size_t next = 0;
+
+    void add(float v) {
+      if (said.size() < kFrames)
+        said.push_back(v);
+      else
+        said[next] = v;
+      next = (next + 1) % kFrames;
+    }
+    double value() const {
+      std::vector<float> v = said;
+      return static_cast<double>(median(v));
     }
     /// Blended with the prior 1 as if that were one frame, and a quarter for what a median hides.
     double blended() const {
-      const double w = frames / (frames + 1);
-      return 1.25 * std::sqrt(w * value * value + (1 - w));
+      if (said.empty()) return 1;
+      const double n = static_cast<double>(said.size()), v = value();
+      return 1.25 * std::sqrt((n * v * v + 1) / (n + 1));
     }
   };
 
@@ -101,9 +111,9 @@ struct DepthLearning {
     const Patches& oldest = history.back();
     if (timestamp - oldest.timestamp > 0.5 * reference_seconds)
       compare(camera, oldest, inverse_depth, noise, common, nullptr);
-    noise.change_scale = change.frames > 0 ? change.blended() : 1;
-    noise.common_scale = common.frames > 0 ? common.blended() : 1;
-    noise.pixel_scale = pixel.frames > 0 ? std::clamp(pixel.value, 0.2, 2.0) : 1;
+    noise.change_scale = change.blended();
+    noise.common_scale = common.blended();
+    noise.pixel_scale = pixel.said.empty() ? 1 : std::clamp(pixel.value(), 0.2, 2.0);
   }
 
  private:
@@ -133,17 +143,19 @@ struct DepthLearning {
       }
       if (static_cast<int>(differences_.size()) < kMinSamples) continue;
       const double q = 0.5 * static_cast<double>(q_min + q_max);
-      if (static_cast<double>(q_max - q_min) > 7 * noise.prior_pixel(q)) continue;  // a patch with relief
-      motion_.push_back(moved);
+      const double other_surface = 7 * noise.prior_pixel(q);
+      if (static_cast<double>(q_max - q_min) > other_surface) continue;  // a patch with relief
       const float m = median(differences_);
+      if (static_cast<double>(std::abs(m)) > other_surface) continue;  // something nearer hides it now
+      motion_.push_back(moved);
       medians_.push_back(static_cast<float>(std::abs(m) / noise.prior_common(q)));
       for (float& d : differences_) d = std::abs(d - m);
       scatters_.push_back(static_cast<float>(1.4826 * static_cast<double>(median(differences_)) / std::sqrt(2.0) /
                                              noise.prior_pixel(q)));
     }
     if (medians_.size() < 5 || static_cast<double>(median(motion_)) < kMinMotion) return;
-    shared.add(static_cast<double>(quantile(medians_, 0.85)) / 1.44);
-    if (single) single->add(static_cast<double>(median(scatters_)));
+    shared.add(quantile(medians_, 0.85) / 1.44f);
+    if (single) single->add(median(scatters_));
   }
 
   static float quantile(std::vector<float>& values, double share) {

@@ -96,6 +96,25 @@ struct ObjectMotionEstimator {
     return out;
   }
 
+  /// The share of the last frame interval, at constant velocity, of a fit to an older reference, in the axes of the
+  /// previous camera. The velocity may have changed since the middle of the time that the fit spans.
+  /// @param T_prev_ref camera motion from the reference to the previous frame; @param dt seconds since that frame.
+  ObjectFit over_last_interval(const ObjectFit& fit, const SE3d& T_prev_ref, double dt) const {
+    const double span = fit.motion.interval, share = dt / span;
+    if (share > 1 - 1e-6) return fit;
+    ObjectFit out = fit;
+    out.T_o = T_prev_ref * SE3d::exp(share * fit.T_o.log()) * T_prev_ref.inverse();
+    const Matrix3<double>& R = T_prev_ref.R;
+    Matrix6<double> turn = Matrix6<double>::Zero();
+    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = share * R;
+    out.sigma = turn * fit.sigma * turn.transpose();
+    const double changed = 0.5 * velocity.acceleration * (span - dt);
+    out.motion.velocity = R * fit.motion.velocity;
+    out.motion.covariance =
+        R * fit.motion.covariance * R.transpose() + Matrix3<double>::Identity() * changed * changed;
+    return out;
+  }
+
   /// Of many velocities the starts that fit best on a coarse level; for an object without history.
   template <typename Camera, typename Noise, typename Aligner>
   std::vector<SE3d> search(const ObjectReference& reference, const ObjectScene<Camera>& scene, double dt,

@@ -84,7 +84,8 @@ struct ObjectResult {
   double disparity_noise_px = 0;  ///< RMS over points of sqrt(trace(G Sigma_x G'))
   double entropy = 0;             ///< H of Sigma_x, nats (paper eq. 7)
   double range = 0;               ///< depth of the centroid, metres
-  double interval = 0;            ///< seconds that velocity and T_o span
+  double interval = 0;  ///< seconds that the fit spans: more than the last interval where the frame before gave no
+                        ///< reference or no fit; T_o is then the share of the last interval at constant velocity
   int n_points = 0;               ///< points inside the image
   int n_inliers = 0;
 

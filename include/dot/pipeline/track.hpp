@@ -34,6 +34,7 @@ struct Track {
   std::deque<ObjectReference> references;     ///< newest first
   Reason no_reference = Reason::NoReference;  ///< why the last frame added none
   SE3d T_o_predicted;                         ///< constant velocity, previous camera's axes
+  SE3d T_o;                                   ///< what carries points and outline on: as fitted, else as predicted
   SE3d T_o_last;                              ///< last accepted, seen from the newest camera: the prediction
   bool has_motion = false;                    ///< T_o_last is that of the interval before this one
   ObjectFit fit;                              ///< over the last interval

@@ -40,6 +40,7 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
   object.fit = {};
   object.has_decisive = false;
+  object.T_o = object.T_o_predicted;
   if (!camera_state_.known()) {
     object.fit.reason = camera_state_.status == CameraStatus::FirstFrame ? Reason::NoReference : Reason::CameraLost;
     return;
@@ -51,13 +52,13 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
   const ObjectScene<Camera> scene{current_.pyramid, camera_, current_.depth, nearer_.view()};
   const SE3d& T_c = camera_state_.T_cur_prev;
 
-  const ObjectReference& newest = object.references.front();
-  std::vector<SE3d> T_o = starts(object, newest);
-  const double age = current_.timestamp - newest.timestamp;
-  if (!object.has_motion)
-    for (const SE3d& T : object_estimator.search(newest, scene, age, depth_noise, aligner)) T_o.push_back(T);
-  ObjectFit fit = object_estimator.fit(newest, scene, T_o, age, depth_noise, aligner);
-  SE3d T_cur_prev_object = T_c * object.T_o_predicted;
+  const auto fit_to = [&](const ObjectReference& reference) {
+    const double age = current_.timestamp - reference.timestamp;
+    std::vector<SE3d> T_o = starts(object, reference);
+    if (!object.has_motion && &reference == &object.references.front())
+      for (const SE3d& T : object_estimator.search(reference, scene, age, depth_noise, aligner)) T_o.push_back(T);
+    return object_estimator.fit(reference, scene, T_o, age, depth_noise, aligner);
+  };
   const auto decide_by = [&](const ObjectReference& reference, const MotionEstimate& motion) {
     if (object.has_decisive && motion.covariance.trace() >= object.decisive.covariance.trace()) return;
     const Matrix3<double> R_prev_ref = T_c.R.transpose() * reference.T_cur_ref.R;
@@ -66,12 +67,18 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     object.decisive.covariance = R_prev_ref * motion.covariance * R_prev_ref.transpose();
     object.has_decisive = true;
   };
-  if (fit.ok()) {
-    T_cur_prev_object = newest.T_cur_ref * fit.T_o * newest.T_obj_cur_ref.inverse();
-    decide_by(newest, fit.motion);
+
+  // The newest reference that fits; the reason where there is none is that of the newest of all.
+  const std::size_t recent = std::min<std::size_t>(object.references.size(), 3);
+  for (std::size_t i = 0; i < recent && !object.fit.ok(); ++i) {
+    const ObjectReference& reference = object.references[i];
+    const ObjectFit fit = fit_to(reference);
+    if (i == 0) object.fit = fit;
+    if (!fit.ok()) continue;
+    decide_by(reference, fit.motion);
+    object.T_o = T_c.inverse() * reference.T_cur_ref * fit.T_o * reference.T_obj_cur_ref.inverse();
+    object.fit = object_estimator.over_last_interval(fit, T_c.inverse() * reference.T_cur_ref, current_.dt);
   }
-  object.fit = fit;
-  if (newest.intervals != 1 && fit.ok()) object.fit.reason = Reason::Hidden;  // spans more than the last interval
 
   // Up to three older references, the oldest first.
   const int count = static_cast<int>(object.references.size());
@@ -81,7 +88,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     if (k <= 0 || k == last) break;
     last = k;
     const ObjectReference& older = object.references[static_cast<std::size_t>(k)];
-    const SE3d start = older.T_cur_ref.inverse() * T_cur_prev_object * older.T_obj_cur_ref;
+    const SE3d start = older.T_cur_ref.inverse() * T_c * object.T_o * older.T_obj_cur_ref;
     const ObjectFit long_fit =
         object_estimator.fit(older, scene, {start}, current_.timestamp - older.timestamp, depth_noise, aligner);
     if (long_fit.ok()) decide_by(older, long_fit.motion);
@@ -161,12 +168,11 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object) {
   const SE3d& T_c = camera_state_.T_cur_prev;
   const bool fitted = object.fit.ok();
-  const SE3d T_o = fitted ? object.fit.T_o : object.T_o_predicted;
-  for (ObjectReference& r : object.references) r.T_obj_cur_ref = T_c * T_o * r.T_obj_cur_ref;
-  object.T_cur_outline = T_c * (object.state == State::Static ? SE3d{} : T_o) * object.T_cur_outline;
+  for (ObjectReference& r : object.references) r.T_obj_cur_ref = T_c * object.T_o * r.T_obj_cur_ref;
+  object.T_cur_outline = T_c * (object.state == State::Static ? SE3d{} : object.T_o) * object.T_cur_outline;
   // The same motion seen from this camera: the prediction for the next interval.
   object.has_motion = fitted;
-  if (fitted) object.T_o_last = T_c * T_o * T_c.inverse();
+  if (fitted) object.T_o_last = T_c * object.fit.T_o * T_c.inverse();
   warp_outline(object, object.T_cur_outline);
 }
 

@@ -42,7 +42,7 @@ struct MotionPriorSettings {
 struct VelocitySettings {
   double v0 = 0.5;                ///< m/s: what counts as moving
   double v0_per_metre = 0.05;     ///< 1/s: v0 of near objects is this times their range
-  double photometric_scale = 3;   ///< inflation of Sigma_x: neighbouring residuals are correlated
+  double photometric_scale = 6;   ///< inflation of Sigma_x: neighbouring residuals are correlated
   double camera_scale = 4;        ///< inflation of the camera's covariance
   double floor = 0.05;            ///< m/s per axis, never more certain
   double decide = 0.95;           ///< probability at which a state is won
@@ -50,6 +50,8 @@ struct VelocitySettings {
   double switch_rate = 0.04;      ///< 1/s: how often things start or stop moving
   double prior_speed = 6;         ///< m/s per axis: how fast movers are, far from v0
   double acceleration = 3;        ///< m/s^2, of movers
+  double tail_share = 0.2;        ///< share of fits that are worse than their covariance says,
+  double tail_variance = 6;       ///< by this factor
   double outliers = 0.02;         ///< share of fits that are wrong
   double max_evidence_rate = 40;  ///< 1/s, log odds that time can bring
   double max_evidence = 4;        ///< log odds that one fit can bring: it may be wrong as a whole

@@ -144,7 +144,8 @@ struct DepthLearning {
       if (static_cast<int>(differences_.size()) < kMinSamples) continue;
       const double q = 0.5 * static_cast<double>(q_min + q_max);
       const double other_surface = 7 * noise.prior_pixel(q);
-      if (static_cast<double>(q_max - q_min) > other_surface) continue;  // a patch with relief
+      const double relief = std::max(other_surface, 0.3 * q);
+      if (static_cast<double>(q_max - q_min) > relief) continue;  // more than one surface
       const float m = median(differences_);
       if (static_cast<double>(std::abs(m)) > other_surface) continue;  // something nearer hides it now
       motion_.push_back(moved);

@@ -108,10 +108,9 @@ struct ObjectMotionEstimator {
     Matrix6<double> turn = Matrix6<double>::Zero();
     turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = share * R;
     out.sigma = turn * fit.sigma * turn.transpose();
-    const double changed = 0.5 * velocity.acceleration * (span - dt);
+    const double changed = 0.25 * velocity.acceleration * (span - dt);
     out.motion.velocity = R * fit.motion.velocity;
-    out.motion.covariance =
-        R * fit.motion.covariance * R.transpose() + Matrix3<double>::Identity() * changed * changed;
+    out.motion.covariance = R * fit.motion.covariance * R.transpose() + Matrix3<double>::Identity() * changed * changed;
     return out;
   }
 
@@ -228,8 +227,8 @@ struct ObjectMotionEstimator {
       V += variance * x * x.transpose();
     };
     add(a.depth_modes[0], common * common + 60 * pixel * pixel / std::max(60, reference.area));
-    add(a.depth_modes[1], 0.49 * common * common);
-    add(a.depth_modes[2], 0.49 * common * common);
+    add(a.depth_modes[1], 0.1 * common * common);
+    add(a.depth_modes[2], 0.1 * common * common);
     add(a.depth_modes[3], change * change);
     return V + velocity.camera_scale * camera_share(reference.camera_covariance, reference.T_cur_ref,
                                                     Vector3<double>(reference.T_cur_ref * moved));

@@ -86,6 +86,8 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(velocity.switch_rate);
   DOT_OPTION(velocity.prior_speed);
   DOT_OPTION(velocity.acceleration);
+  DOT_OPTION(velocity.tail_share);
+  DOT_OPTION(velocity.tail_variance);
   DOT_OPTION(velocity.outliers);
   DOT_OPTION(velocity.max_evidence_rate);
   DOT_OPTION(velocity.max_evidence);

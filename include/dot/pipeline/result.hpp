@@ -86,7 +86,7 @@ struct ObjectResult {
   double range = 0;               ///< depth of the centroid, metres
   double interval = 0;  ///< seconds that the fit spans: more than the last interval where the frame before gave no
                         ///< reference or no fit; T_o is then the share of the last interval at constant velocity
-  int n_points = 0;               ///< points inside the image
+  int n_points = 0;     ///< points inside the image
   int n_inliers = 0;
 
   // Fused over time.

@@ -38,7 +38,7 @@ struct Selector {
   /// Appends up to about `budget` points.
   /// @param accept (x, y) -> bool, may the pixel be a point; @param support (x, y) -> bool, may its depth be used.
   /// @param min_gradient grey values per pixel.
-  /// @param shared a plane for all points (distant object), or null.
+  /// @param shared a plane for all points (distant object), also those whose depth was not measured; or null.
   template <typename Accept, typename Support>
   void operator()(const Box& box, int budget, int radius, double min_gradient, Accept&& accept, Support&& support,
                   const PlaneFit* shared, int shared_u, int shared_v, PointSet& points) const {
@@ -51,7 +51,7 @@ struct Selector {
     const int step = (x1 - x0) * (y1 - y0) > 20000 ? 4 : 1;
     int area = 0;
     for (int y = y0; y < y1; y += step)
-      for (int x = x0; x < x1; x += step) area += inverse_depth(x, y) > 0 && accept(x, y);
+      for (int x = x0; x < x1; x += step) area += (shared || inverse_depth(x, y) > 0) && accept(x, y);
     area *= step * step;
     const int cell = std::max(1, static_cast<int>(std::lround(std::sqrt(area / std::max(1.0, 1.0 * budget)))));
     // Twice the gradient, squared: central differences without their half.
@@ -66,7 +66,7 @@ struct Selector {
           for (int x = cx; x < std::min(cx + cell, x1); ++x) {
             const int gx = row[x + 1] - row[x - 1], gy = below[x] - above[x];
             const int g = gx * gx + gy * gy;
-            if (g > best && inverse_depth(x, y) > 0 && accept(x, y)) best = g, bx = x, by = y;
+            if (g > best && (shared || inverse_depth(x, y) > 0) && accept(x, y)) best = g, bx = x, by = y;
           }
         }
         if (bx >= 0) add(bx, by, radius, support, shared, shared_u, shared_v, points);
@@ -96,13 +96,13 @@ struct Selector {
   void add(int x, int y, int radius, Support&& support, const PlaneFit* shared, int shared_u, int shared_v,
            PointSet& points) const {
     const float measured = inverse_depth(x, y);
-    const float sigma = static_cast<float>(noise.pixel(measured));
+    const float sigma = static_cast<float>(noise.pixel(measured > 0 ? measured : shared->q));
     PlaneFit fit;
     float q;
     if (shared) {
       fit = *shared;
       q = fit.q + fit.du * static_cast<float>(x - shared_u) + fit.dv * static_cast<float>(y - shared_v);
-      if (std::abs(measured - q) > 5 * sigma) return;
+      if (measured > 0 && std::abs(measured - q) > 5 * sigma) return;
     } else {
       const int area = (2 * radius + 1) * (2 * radius + 1);
       if (!fit_plane(inverse_depth, x, y, radius, measured, 5 * sigma, area / 4, support, fit)) return;

@@ -21,7 +21,7 @@ struct ObjectPoints {
 ///
 /// Masks are ragged and leak: of the mask's depths only those count that lie between its 20th and 80th percentile,
 /// widened by what an object of this range and relief may extend. An object so far that its relief drowns in the depth
-/// noise shares one plane.
+/// noise shares one plane, which serves where nothing was measured too: far things have few depths.
 /// @param box of the mask in the frame; @param mask of the box's size, non-zero = object; @param area its pixels.
 template <typename Camera, typename Noise>
 ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box, ImageView<const std::uint8_t> mask,
@@ -83,10 +83,13 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
     const float q = depth(x, y);
     return q >= q_min && q <= q_max;
   };
+  bool flat = false;
   const auto accept = [&](int x, int y) {
     const int mx = x - box.x, my = y - box.y;
     if (!inner.at<std::uint8_t>(my, mx)) return false;
-    const float q = depth(x, y);
+    const bool measured = depth(x, y) > 0;
+    if (!measured && !flat) return false;
+    const float q = measured ? depth(x, y) : out.median_q;
     if (q < q_min || q > q_max) return false;
     return nearer.at<float>(my + reach, mx + reach) <= 1.15f * q + slack;
   };
@@ -97,8 +100,8 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
   const double relief = 0.5 * size * out.median_q * out.median_q;        // in inverse depth
   PlaneFit plane;
   const int cu = box.x + w / 2, cv_ = box.y + h / 2;
-  const bool flat = relief < 1.2 * sigma && fit_plane(depth, cu, cv_, std::max(w, h) / 2 + 1, out.median_q, 5 * sigma,
-                                                      out.pixels_with_depth / 3, on_surface, plane);
+  flat = relief < 1.2 * sigma && fit_plane(depth, cu, cv_, std::max(w, h) / 2 + 1, out.median_q, 5 * sigma,
+                                           out.pixels_with_depth / 3, on_surface, plane);
   if (flat) {
     // A tilt that the noise does not support would turn into spurious radial motion: keep the level.
     plane.du = plane.dv = 0;

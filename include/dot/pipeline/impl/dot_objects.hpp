@@ -91,7 +91,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     const SE3d start = older.T_cur_ref.inverse() * T_c * object.T_o * older.T_obj_cur_ref;
     const ObjectFit long_fit =
         object_estimator.fit(older, scene, {start}, current_.timestamp - older.timestamp, depth_noise, aligner);
-    if (long_fit.ok()) decide_by(older, long_fit.motion);
+    if (!long_fit.ok()) continue;
+    decide_by(older, long_fit.motion);
+    const ObjectFit last = object_estimator.over_last_interval(long_fit, T_c.inverse() * older.T_cur_ref, current_.dt);
+    if (object.fit.ok() && last.motion.covariance.trace() < object.fit.motion.covariance.trace()) object.fit = last;
   }
 }
 

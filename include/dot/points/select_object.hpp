@@ -21,7 +21,8 @@ struct ObjectPoints {
 ///
 /// Masks are ragged and leak: of the mask's depths only those count that lie between its 20th and 80th percentile,
 /// widened by what an object of this range and relief may extend. An object so far that its relief drowns in the depth
-/// noise shares one plane, which serves where nothing was measured too: far things have few depths.
+/// noise shares one plane, and so does one that has depth in less than a quarter of its pixels; the plane then serves
+/// where nothing was measured too.
 /// @param box of the mask in the frame; @param mask of the box's size, non-zero = object; @param area its pixels.
 template <typename Camera, typename Noise>
 ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box, ImageView<const std::uint8_t> mask,
@@ -102,6 +103,11 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
   const int cu = box.x + w / 2, cv_ = box.y + h / 2;
   flat = relief < 1.2 * sigma && fit_plane(depth, cu, cv_, std::max(w, h) / 2 + 1, out.median_q, 5 * sigma,
                                            out.pixels_with_depth / 3, on_surface, plane);
+  if (4 * out.pixels_with_depth < area) {  // too few depths for planes of its own: all that is known is where it is
+    flat = true;
+    plane.rms = static_cast<float>(relief);
+    plane.inliers = 1;
+  }
   if (flat) {
     // A tilt that the noise does not support would turn into spurious radial motion: keep the level.
     plane.du = plane.dv = 0;

@@ -10,44 +10,27 @@
 #include <opencv2/core/utils/logger.hpp>
 
 #include "arguments.hpp"
-#include "config.hpp"
 #include "dot/tracker.hpp"
-#include "errors.hpp"
 #include "progress.hpp"
-#include "sequence.hpp"
-#include "writer.hpp"
+#include "sequence/depth_source.hpp"
+#include "sequence/errors.hpp"
 
 namespace {
 
 using namespace runner;
 
-const char* source_name(dot::DepthSource source) {
-  if (source == dot::DepthSource::Stereo) return "stereo";
-  if (source == dot::DepthSource::Rgbd) return "RGB-D";
-  if (source == dot::DepthSource::Lidar) return "lidar";
-  return "unknown sensor";
-}
-
-/// Defaults, then what the sequence says, then the configuration file, then the command line.
-dot::Options options_for(const Arguments& arguments, const Sequence& sequence) {
-  dot::Options options;
-  options.depth_noise.source = sequence.depth_source();
-  if (!arguments.config.empty()) read_config(arguments.config, options);
-  if (arguments.classifier) options.classifier = *arguments.classifier;
-  return options;
-}
-
 void run(const Arguments& arguments) {
-  cv::setNumThreads(arguments.threads);
-  Sequence sequence(arguments);
-  const dot::Options options = options_for(arguments, sequence);
+  cv::setNumThreads(arguments.run.threads);
+  const SequenceOptions& source = arguments.run.sequence;
+  Sequence sequence(source);
+  const dot::Options options = tracker_options(arguments.run, sequence);
   dot::Tracker tracker(sequence.intrinsics(), options);
-  ResultWriter writer(arguments);
+  ResultWriter writer(arguments.output, source.folder);
   Summary summary;
-  std::printf("sequence  %s: %d frames, %dx%d, depth %s (%s)\n", arguments.sequence.c_str(), sequence.size(),
+  std::printf("sequence  %s: %d frames, %dx%d, depth %s (%s)\n", source.folder.c_str(), sequence.size(),
               sequence.intrinsics().width, sequence.intrinsics().height,
               sequence.stereo() ? "computed from the stereo pair" : "from files",
-              source_name(options.depth_noise.source));
+              to_string(options.depth_noise.source));
   {
     Progress progress(sequence.size());
     for (int i = 0; i < sequence.size(); ++i) {
@@ -60,7 +43,7 @@ void run(const Arguments& arguments) {
       progress.show(i + 1, result, total.count());
     }
   }
-  summary.print(arguments);
+  summary.print(arguments.output);
 }
 
 }  // namespace
@@ -71,7 +54,7 @@ int main(int argc, char** argv) {
   try {
     const Arguments arguments = parse_arguments(argc, argv);
     if (arguments.help) {
-      std::printf("%s", usage);
+      std::printf("%s", usage().c_str());
       return 0;
     }
     run(arguments);

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <numeric>
+#include <string>
 
 namespace runner {
 namespace {
@@ -55,7 +57,7 @@ void Summary::add(const dot::Result& result, double total_ms) {
     if (object.area > 0) last_decided_[object.id] = object.last_decided;
 }
 
-void Summary::print(const Arguments& arguments) const {
+void Summary::print(const OutputOptions& output) const {
   const auto count_objects = [&](dot::State state) {
     return std::count_if(last_decided_.begin(), last_decided_.end(),
                          [&](auto& entry) { return entry.second == state; });
@@ -77,13 +79,12 @@ void Summary::print(const Arguments& arguments) const {
     std::printf("time      %.1f ms (first frame)\n", total_ms_.front());
   }
 
-  const std::filesystem::path out = std::filesystem::absolute(arguments.out).lexically_normal();
+  const std::filesystem::path out = std::filesystem::absolute(output.out).lexically_normal();
   std::printf("results   %s\n", out.c_str());
-  std::printf("          labels/ instances/ %scamera.txt objects.csv timing.csv\n",
-              arguments.overlay ? "overlay/ " : "");
-  if (!arguments.masks_out.empty())
+  std::printf("          labels/ instances/ %scamera.txt objects.csv timing.csv\n", output.overlay ? "overlay/ " : "");
+  if (!output.masks_out.empty())
     std::printf("masks     %s: mask_dot/ mask_all/\n",
-                std::filesystem::absolute(arguments.masks_out).lexically_normal().c_str());
+                std::filesystem::absolute(output.masks_out).lexically_normal().c_str());
 }
 
 }  // namespace runner

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <map>
-#include <string>
 #include <vector>
 
-#include "arguments.hpp"
 #include "dot/pipeline/result.hpp"
+#include "run/writer.hpp"
 
 namespace runner {
 
@@ -35,7 +33,7 @@ class Summary {
   void add(const dot::Result& result, double total_ms);
 
   /// Prints frames, objects by state, times and where the outputs lie.
-  void print(const Arguments& arguments) const;
+  void print(const OutputOptions& output) const;
 
  private:
   std::map<std::uint32_t, dot::State> last_decided_;  ///< of each object that was ever shown

@@ -12,7 +12,7 @@
 
 #include "dot/image/opencv.hpp"
 #include "labels.hpp"
-#include "text.hpp"
+#include "sequence/text.hpp"
 
 namespace runner {
 namespace {

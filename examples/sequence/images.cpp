@@ -64,7 +64,7 @@ cv::Mat read_image(const std::filesystem::path& path, cv::Size size) {
   cv::Mat image = read_image(path);
   if (image.size() != size)
     throw FileError(path.string() + ": is " + std::to_string(image.cols) + "x" + std::to_string(image.rows) +
-                    ", intrinsics.txt says " + std::to_string(size.width) + "x" + std::to_string(size.height));
+                    ", the camera is " + std::to_string(size.width) + "x" + std::to_string(size.height));
   return image;
 }
 

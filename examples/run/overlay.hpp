@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 
 #include "dot/pipeline/result.hpp"
-#include "sequence.hpp"
+#include "sequence/sequence.hpp"
 
 namespace runner {
 

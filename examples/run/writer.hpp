@@ -5,20 +5,27 @@
 #include <filesystem>
 #include <fstream>
 
-#include "arguments.hpp"
 #include "dot/image/image.hpp"
 #include "dot/lie/se3.hpp"
 #include "dot/pipeline/result.hpp"
-#include "sequence.hpp"
+#include "sequence/sequence.hpp"
 
 namespace runner {
+
+/// Where results go.
+struct OutputOptions {
+  std::filesystem::path out;
+  std::filesystem::path masks_out;  ///< exclusion masks; empty: none
+  bool overlay = false;             ///< pictures too
+};
 
 /// Writes the results of a sequence, frame by frame; each `write` leaves complete files behind.
 class ResultWriter {
  public:
   /// Makes the folders and starts the tables.
-  /// @throws FileError naming what cannot be written.
-  explicit ResultWriter(const Arguments& arguments);
+  /// @param sequence folder that is read, which must not be written to.
+  /// @throws FileError naming what cannot be written, UsageError when that is the sequence.
+  ResultWriter(const OutputOptions& options, const std::filesystem::path& sequence);
 
   /// @param total_ms time of the whole `track`.
   /// @throws FileError when a file cannot be written, std::runtime_error when the result does not fit the formats.
@@ -36,9 +43,7 @@ class ResultWriter {
     void flush();
   };
 
-  std::filesystem::path out_;
-  std::filesystem::path masks_out_;
-  bool overlay_ = false;
+  OutputOptions options_;
   Table camera_;
   Table objects_;
   Table timing_;

@@ -13,10 +13,10 @@
 
 #include "dot/image/opencv.hpp"
 #include "dot/pipeline/exclusion.hpp"
-#include "errors.hpp"
-#include "images.hpp"
 #include "overlay.hpp"
-#include "text.hpp"
+#include "sequence/errors.hpp"
+#include "sequence/images.hpp"
+#include "sequence/text.hpp"
 
 namespace runner {
 namespace fs = std::filesystem;
@@ -110,24 +110,23 @@ void ResultWriter::Table::flush() {
   if (!stream.flush()) throw FileError(path.string() + ": cannot be written");
 }
 
-ResultWriter::ResultWriter(const Arguments& arguments)
-    : out_(arguments.out), masks_out_(arguments.masks_out), overlay_(arguments.overlay) {
-  make_folder(out_);
+ResultWriter::ResultWriter(const OutputOptions& options, const fs::path& sequence) : options_(options) {
+  make_folder(options_.out);
   std::error_code error;
-  if (fs::equivalent(out_, arguments.sequence, error))
-    throw UsageError("--out must not be the sequence's own folder, " + arguments.sequence.string());
-  make_folder(out_ / "labels");
-  make_folder(out_ / "instances");
-  if (overlay_) make_folder(out_ / "overlay");
-  if (!masks_out_.empty()) {
-    make_folder(masks_out_ / "mask_dot");
-    make_folder(masks_out_ / "mask_all");
+  if (fs::equivalent(options_.out, sequence, error))
+    throw UsageError("--out must not be the sequence's own folder, " + sequence.string());
+  make_folder(options_.out / "labels");
+  make_folder(options_.out / "instances");
+  if (options_.overlay) make_folder(options_.out / "overlay");
+  if (!options_.masks_out.empty()) {
+    make_folder(options_.masks_out / "mask_dot");
+    make_folder(options_.masks_out / "mask_all");
   }
-  camera_.open(out_ / "camera.txt");
+  camera_.open(options_.out / "camera.txt");
   camera_.stream << std::setprecision(15);
-  objects_.open(out_ / "objects.csv");
+  objects_.open(options_.out / "objects.csv");
   objects_.stream << std::setprecision(10) << object_columns;
-  timing_.open(out_ / "timing.csv");
+  timing_.open(options_.out / "timing.csv");
   timing_.stream << std::fixed << std::setprecision(3) << "frame";
   for (std::size_t i = 0; i < stage_count; ++i)
     timing_.stream << ',' << dot::to_string(static_cast<dot::Stage>(i)) << "_ms";
@@ -137,7 +136,7 @@ ResultWriter::ResultWriter(const Arguments& arguments)
 void ResultWriter::write(const SequenceFrame& frame, const dot::Result& result, double total_ms) {
   check_labels(result);
   write_images(frame, result, total_ms);
-  if (!masks_out_.empty()) write_masks(frame, result);
+  if (!options_.masks_out.empty()) write_masks(frame, result);
 
   T_world_camera_ = T_world_camera_ * dot::SE3d::from_row_major(result.camera.T_cur_prev).inverse();
   const std::array<double, 12> pose = T_world_camera_.row_major();
@@ -156,17 +155,17 @@ void ResultWriter::write(const SequenceFrame& frame, const dot::Result& result, 
 
 void ResultWriter::write_images(const SequenceFrame& frame, const dot::Result& result, double total_ms) {
   const std::string name = frame_name(frame.number);
-  write_image(out_ / "labels" / name, dot::to_mat(result.labels));
-  write_image(out_ / "instances" / name, ids_16_bit(result));
-  if (overlay_) write_image(out_ / "overlay" / name, draw_overlay(frame, result, total_ms));
+  write_image(options_.out / "labels" / name, dot::to_mat(result.labels));
+  write_image(options_.out / "instances" / name, ids_16_bit(result));
+  if (options_.overlay) write_image(options_.out / "overlay" / name, draw_overlay(frame, result, total_ms));
 }
 
 void ResultWriter::write_masks(const SequenceFrame& frame, const dot::Result& result) {
   const std::string name = frame_name(frame.number);
   exclusion_.resize(result.labels.width, result.labels.height);
   dot::exclusion_mask(result, dot::ExclusionPolicy{}, exclusion_.view());
-  write_image(masks_out_ / "mask_dot" / name, dot::mat(exclusion_.view()));
-  write_image(masks_out_ / "mask_all" / name, dot::to_mat(result.labels) != 0);
+  write_image(options_.masks_out / "mask_dot" / name, dot::mat(exclusion_.view()));
+  write_image(options_.masks_out / "mask_all" / name, dot::to_mat(result.labels) != 0);
 }
 
 }  // namespace runner

@@ -5,9 +5,9 @@
 #include <limits>
 #include <type_traits>
 
-#include "arguments.hpp"
-#include "errors.hpp"
-#include "text.hpp"
+#include "sequence/depth_source.hpp"
+#include "sequence/errors.hpp"
+#include "sequence/text.hpp"
 
 namespace runner {
 namespace {
@@ -50,12 +50,15 @@ Outcome set_option(dot::Options& options, const std::string& name, const std::st
 
 }  // namespace
 
-std::optional<dot::DepthSource> depth_source_by_name(const std::string& name) {
-  if (name == "stereo") return dot::DepthSource::Stereo;
-  if (name == "rgbd") return dot::DepthSource::Rgbd;
-  if (name == "lidar") return dot::DepthSource::Lidar;
-  if (name == "unknown") return dot::DepthSource::Unknown;
+std::optional<dot::ClassifierKind> classifier_by_name(const std::string& name) {
+  if (name == "velocity") return dot::ClassifierKind::Velocity;
+  if (name == "entropy") return dot::ClassifierKind::Entropy;
+  if (name == "entropy-literal") return dot::ClassifierKind::EntropyLiteral;
   return std::nullopt;
+}
+
+bool switch_on(dot::Options& options, const std::string& name) {
+  return set_option(options, name, "true") == Outcome::Done;
 }
 
 void read_config(const std::filesystem::path& path, dot::Options& options) {

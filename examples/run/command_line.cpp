@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "command_line.hpp"
+
+#include <cstddef>
+#include <optional>
+
+#include "sequence/errors.hpp"
+#include "sequence/text.hpp"
+
+namespace runner {
+
+void CommandLine::flag(const std::string& name, bool& value) { flags_[name] = &value; }
+
+void CommandLine::parse(int count, const char* const* values,
+                        const std::function<void(const std::string&)>& positional) const {
+  for (int i = 1; i < count; ++i) {
+    const std::string argument = values[i];
+    const std::size_t equals = argument.rfind("--", 0) == 0 ? argument.find('=') : std::string::npos;
+    const std::string name = argument.substr(0, equals);
+    if (const auto flag = flags_.find(argument); flag != flags_.end()) {
+      *flag->second = true;
+    } else if (const auto option = options_.find(name); option != options_.end()) {
+      if (equals == std::string::npos && i + 1 == count) throw UsageError(name + " needs a value");
+      option->second(name, equals == std::string::npos ? values[++i] : argument.substr(equals + 1));
+    } else if (argument.rfind("-", 0) == 0) {
+      throw UsageError("unknown option '" + argument + "'");
+    } else {
+      positional(argument);
+    }
+  }
+}
+
+int whole_number(const std::string& option, const std::string& value, int least) {
+  const std::optional<double> number = parse_number(value);
+  if (!number || *number < least || *number > 1e6 || *number != static_cast<int>(*number))
+    throw UsageError(option + " needs a whole number of at least " + std::to_string(least) + ", not '" + value + "'");
+  return static_cast<int>(*number);
+}
+
+std::string not_empty(const std::string& option, const std::string& value) {
+  if (value.empty()) throw UsageError(option + " needs a name");
+  return value;
+}
+
+}  // namespace runner

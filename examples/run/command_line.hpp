@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace runner {
+
+/// A command line: flags, options with a value (`--name value` or `--name=value`) and other arguments.
+class CommandLine {
+ public:
+  using Setter = std::function<void(const std::string& option, const std::string& value)>;
+
+  void flag(const std::string& name, bool& value);
+  void option(const std::string& name, Setter setter) { options_[name] = std::move(setter); }
+
+  /// @param positional called with each argument that is no option.
+  /// @throws UsageError naming the option that is unknown or lacks its value; what the setters throw.
+  void parse(int count, const char* const* values, const std::function<void(const std::string&)>& positional) const;
+
+ private:
+  std::map<std::string, bool*> flags_;
+  std::map<std::string, Setter> options_;
+};
+
+/// A whole number of at least `least`.
+/// @throws UsageError naming the option.
+int whole_number(const std::string& option, const std::string& value, int least = 1);
+
+/// @throws UsageError naming the option when there is no value.
+std::string not_empty(const std::string& option, const std::string& value);
+
+}  // namespace runner

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "run_options.hpp"
+
+#include <string>
+
+#include "config.hpp"
+#include "sequence/errors.hpp"
+#include "sequence/text.hpp"
+
+namespace runner {
+
+const char* const run_options_usage =
+    R"(  --depth-dir NAME          folder of the depth images in SEQ (default depth)
+  --mask-dir NAME           folder of the masks in SEQ (default masks)
+  --stereo                  compute the depth from the stereo pair (default where there are no depth images)
+  --camera FILE             camera-to-world poses, KITTI format, to use instead of estimating the motion
+  --config FILE             settings, `name = value` a line
+  --classifier NAME         velocity (default), entropy or entropy-literal
+  --always-dynamic CLASS,...
+                            classes of the masks' csv files that always count as moving
+  --discover                look for moving things that no mask shows
+  --threads N               threads of OpenCV (default 1)
+)";
+
+void add_run_options(CommandLine& line, RunOptions& options) {
+  SequenceOptions& sequence = options.sequence;
+  line.flag("--stereo", sequence.stereo);
+  line.flag("--discover", options.discover);
+  line.option("--depth-dir", [&](auto& name, auto& value) { sequence.depth_dir = not_empty(name, value); });
+  line.option("--mask-dir", [&](auto& name, auto& value) { sequence.mask_dir = not_empty(name, value); });
+  line.option("--camera", [&](auto& name, auto& value) { sequence.camera = not_empty(name, value); });
+  line.option("--always-dynamic",
+              [&](auto& name, auto& value) { sequence.always_dynamic = split(not_empty(name, value), ','); });
+  line.option("--config", [&](auto& name, auto& value) { options.config = not_empty(name, value); });
+  line.option("--threads", [&](auto& name, auto& value) { options.threads = whole_number(name, value); });
+  line.option("--classifier", [&](auto& name, auto& value) {
+    options.classifier = classifier_by_name(value);
+    if (!options.classifier)
+      throw UsageError(name + " must be velocity, entropy or entropy-literal, not '" + value + "'");
+  });
+}
+
+dot::Options tracker_options(const RunOptions& options, const Sequence& sequence) {
+  dot::Options settings;
+  settings.depth_noise.source = sequence.depth_source();
+  if (!options.config.empty()) read_config(options.config, settings);
+  if (options.classifier) settings.classifier = *options.classifier;
+  if (options.discover && !switch_on(settings, "discover_unknown"))
+    throw UsageError("--discover is not supported by this version");
+  return settings;
+}
+
+}  // namespace runner

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "command_line.hpp"
+#include "dot/pipeline/options.hpp"
+#include "sequence/sequence.hpp"
+
+namespace runner {
+
+/// What programs that run the tracker over sequences have in common on their command lines.
+struct RunOptions {
+  SequenceOptions sequence;
+  std::filesystem::path config;
+  std::optional<dot::ClassifierKind> classifier;
+  bool discover = false;  ///< look for moving things that no mask shows
+  int threads = 1;        ///< of OpenCV
+};
+
+/// Lines of `--help` for these options.
+extern const char* const run_options_usage;
+
+/// Makes `line` fill in `options`: the tracker's settings and the sequence's, but for its folder and mask rate.
+void add_run_options(CommandLine& line, RunOptions& options);
+
+/// Defaults, then what the sequence says, then the configuration file, then the command line.
+/// @throws FileError naming the line of the configuration, UsageError naming the option.
+dot::Options tracker_options(const RunOptions& options, const Sequence& sequence);
+
+}  // namespace runner

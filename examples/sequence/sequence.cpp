@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "sequence.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "dot/image/opencv.hpp"
+#include "dot/lie/se3.hpp"
+#include "errors.hpp"
+#include "images.hpp"
+#include "instance_list.hpp"
+#include "layouts.hpp"
+#include "text.hpp"
+
+namespace runner {
+namespace fs = std::filesystem;
+
+namespace {
+
+dot::CameraMotion camera_motion(const dot::SE3d& T_world_prev, const dot::SE3d& T_world_cur) {
+  constexpr double sigma_metres = 0.001;
+  constexpr double sigma_radians = 0.01 * 3.14159265358979323846 / 180;
+  dot::CameraMotion motion;
+  motion.T_cur_prev = (T_world_cur.inverse() * T_world_prev).row_major();
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double sigma = i < 3 ? sigma_metres : sigma_radians;
+    motion.covariance[7 * i] = sigma * sigma;
+  }
+  return motion;
+}
+
+cv::Mat read_colour(const fs::path& path, cv::Size size) {
+  cv::Mat image = read_image(path, size);
+  if (image.depth() != CV_8U || image.channels() == 2)
+    throw FileError(path.string() + ": must be 8-bit grey or colour");
+  return image;
+}
+
+cv::Mat read_depth(const fs::path& path, cv::Size size) {
+  cv::Mat depth = read_image(path, size);
+  if (depth.type() != CV_16UC1) throw FileError(path.string() + ": must be a 16-bit grey image");
+  return depth;
+}
+
+}  // namespace
+
+dot::Frame SequenceFrame::frame() const {
+  dot::Frame frame;
+  frame.id = static_cast<std::uint64_t>(number);
+  frame.timestamp = timestamp;
+  frame.image = dot::view(image);
+  frame.depth = dot::depth_view(depth, depth_units_per_metre);
+  if (!ids.empty()) frame.masks = dot::Masks{dot::id_view(ids), {instances.data(), instances.size()}};
+  frame.camera_motion = camera_motion;
+  return frame;
+}
+
+Sequence::Sequence(const SequenceOptions& options)
+    : recording_(open_recording(options)),
+      always_dynamic_(options.always_dynamic),
+      mask_every_(options.mask_every),
+      camera_motions_(recording_.entries.size()) {
+  if (!options.camera.empty()) read_camera(options.camera);
+  if (!recording_.entries[0].right.empty()) stereo_.emplace(recording_.intrinsics);
+}
+
+void Sequence::read_camera(const fs::path& path) {
+  const std::vector<std::vector<double>> rows = read_table(path, 12);
+  std::vector<dot::SE3d> poses;
+  for (std::size_t i = 0; i < camera_motions_.size(); ++i) {
+    const std::size_t row = row_of(path, rows.size(), camera_motions_.size(), i, recording_.entries[i].number);
+    std::array<double, 12> T_world_camera{};
+    std::copy(rows[row].begin(), rows[row].end(), T_world_camera.begin());
+    poses.push_back(dot::SE3d::from_row_major(T_world_camera));
+    const auto& R = poses.back().R;
+    // Files are written with a few digits; anything worse is no rotation.
+    if ((R * R.transpose() - dot::Matrix3<double>::Identity()).norm() > 1e-3 || R.determinant() < 0)
+      throw FileError(path.string() + ": line " + std::to_string(row + 1) + " is not a rigid motion");
+    poses.back() = poses.back().normalized();
+    if (i > 0) camera_motions_[i] = camera_motion(poses[i - 1], poses[i]);
+  }
+}
+
+SequenceFrame Sequence::read(int index) {
+  const auto i = static_cast<std::size_t>(index);
+  const RecordingEntry& entry = recording_.entries[i];
+  SequenceFrame frame;
+  frame.number = entry.number;
+  frame.timestamp = entry.timestamp;
+  frame.camera_motion = camera_motions_[i];
+  frame.depth_units_per_metre = recording_.depth_units_per_metre;
+  frame.image = read_colour(entry.image, image_size());
+  frame.depth = stereo_ ? stereo_->compute(frame.image, read_colour(entry.right, image_size()))
+                        : read_depth(entry.depth, image_size());
+  if (index % mask_every_ != 0 || entry.masks.empty()) return frame;
+  frame.ids = read_ids(entry.masks);
+  if (!entry.instances.empty()) frame.instances = read_instances(entry.instances, always_dynamic_);
+  return frame;
+}
+
+cv::Mat Sequence::read_ids(const fs::path& path) const {
+  cv::Mat ids = read_image(path, image_size());
+  if (recording_.decode_ids) ids = recording_.decode_ids(ids);
+  if (ids.type() != CV_8UC1 && ids.type() != CV_16UC1 && ids.type() != CV_32SC1)
+    throw FileError(path.string() + ": must be an 8-bit or 16-bit grey image of ids");
+  return ids;
+}
+
+cv::Mat Sequence::read_metres(const fs::path& path) const {
+  cv::Mat metres;
+  if (!path.empty()) read_depth(path, image_size()).convertTo(metres, CV_32F, 1 / recording_.depth_units_per_metre);
+  return metres;
+}
+
+FrameTruth Sequence::truth(int index) const {
+  const TruthEntry& entry = recording_.entries[static_cast<std::size_t>(index)].truth;
+  FrameTruth truth;
+  if (!entry.instance.empty()) read_ids(entry.instance).convertTo(truth.instance, CV_32S);
+  truth.depth = read_metres(entry.depth);
+  truth.measured = entry.measured == entry.depth ? truth.depth : read_metres(entry.measured);
+  return truth;
+}
+
+}  // namespace runner

@@ -14,6 +14,7 @@
 #include "progress.hpp"
 #include "sequence/depth_source.hpp"
 #include "sequence/errors.hpp"
+#include "sequence/sequence.hpp"
 
 namespace {
 
@@ -23,7 +24,7 @@ void run(const Arguments& arguments) {
   cv::setNumThreads(arguments.run.threads);
   const SequenceOptions& source = arguments.run.sequence;
   Sequence sequence(source);
-  const dot::Options options = tracker_options(arguments.run, sequence);
+  const dot::Options options = tracker_options(arguments.run, sequence.depth_source());
   dot::Tracker tracker(sequence.intrinsics(), options);
   ResultWriter writer(arguments.output, source.folder);
   Summary summary;

@@ -41,9 +41,9 @@ void add_run_options(CommandLine& line, RunOptions& options) {
   });
 }
 
-dot::Options tracker_options(const RunOptions& options, const Sequence& sequence) {
+dot::Options tracker_options(const RunOptions& options, dot::DepthSource source) {
   dot::Options settings;
-  settings.depth_noise.source = sequence.depth_source();
+  settings.depth_noise.source = source;
   if (!options.config.empty()) read_config(options.config, settings);
   if (options.classifier) settings.classifier = *options.classifier;
   if (options.discover && !switch_on(settings, "discover_unknown"))

@@ -7,7 +7,7 @@
 
 #include "command_line.hpp"
 #include "dot/pipeline/options.hpp"
-#include "sequence/sequence.hpp"
+#include "sequence/recording.hpp"
 
 namespace runner {
 
@@ -26,8 +26,8 @@ extern const char* const run_options_usage;
 /// Makes `line` fill in `options`: the tracker's settings and the sequence's, but for its folder and mask rate.
 void add_run_options(CommandLine& line, RunOptions& options);
 
-/// Defaults, then what the sequence says, then the configuration file, then the command line.
+/// Defaults, then the depth source that the sequence says, then the configuration file, then the command line.
 /// @throws FileError naming the line of the configuration, UsageError naming the option.
-dot::Options tracker_options(const RunOptions& options, const Sequence& sequence);
+dot::Options tracker_options(const RunOptions& options, dot::DepthSource source);
 
 }  // namespace runner

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "arguments.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "sequence/errors.hpp"
+#include "sequence/text.hpp"
+
+namespace eval {
+namespace {
+
+using runner::UsageError;
+
+const char* const own_usage =
+    R"(usage: dot_eval SEQ... [options]
+
+Runs the tracker over recorded sequences and measures its answers against their ground truth.
+docs/evaluation.md defines the figures. The exit status is 1 when a sequence failed.
+
+  --rates K,...             mask rates: the masks of frames 0, K, 2K, ... are used (default 1); mask IoU
+                            is compared with the first of them
+  --html FILE               a page with tables, plots and pictures
+  --json FILE               all figures
+  --out DIR                 write what dot_run writes, to DIR/NAME-everyK/
+  --jobs N                  sequences to run side by side (default 1); times are honest with 1 alone
+  --min-speed V             slower true movers count by speed alone, m/s (default 1)
+  --from F                  leave out the frames before number F, the camera aside
+  --hide-movers             take every second true mover out of the masks and measure how much of it is found
+)";
+
+std::vector<int> parse_rates(const std::string& option, const std::string& value) {
+  std::vector<int> rates;
+  for (const std::string& piece : runner::split(value, ',')) rates.push_back(runner::whole_number(option, piece));
+  if (rates.empty()) throw UsageError(option + " needs whole numbers");
+  if (std::set<int>(rates.begin(), rates.end()).size() != rates.size())
+    throw UsageError(option + " names a rate twice: " + value);
+  return rates;
+}
+
+double parse_speed(const std::string& option, const std::string& value) {
+  const std::optional<double> speed = runner::parse_number(value);
+  if (!speed || *speed < 0) throw UsageError(option + " needs a speed of at least 0 m/s, not '" + value + "'");
+  return *speed;
+}
+
+void check(const Arguments& a) {
+  if (a.sequences.empty()) throw UsageError("no sequence folder given");
+  if (!a.run.sequence.camera.empty() && a.sequences.size() > 1)
+    throw UsageError("--camera belongs to one sequence, and " + std::to_string(a.sequences.size()) + " are given");
+  std::set<std::string> names;
+  for (const std::filesystem::path& sequence : a.sequences)
+    if (!names.insert(sequence_name(sequence)).second)
+      throw UsageError("two sequences are named '" + sequence_name(sequence) + "'");
+}
+
+}  // namespace
+
+std::string usage() {
+  return own_usage + std::string(runner::run_options_usage) + "  --help                    print this\n";
+}
+
+Arguments parse_arguments(int count, const char* const* values) {
+  Arguments a;
+  runner::CommandLine line;
+  add_run_options(line, a.run);
+  line.flag("--hide-movers", a.hide_movers);
+  line.flag("--help", a.help);
+  line.flag("-h", a.help);
+  line.option("--rates", [&](auto& name, auto& value) { a.rates = parse_rates(name, value); });
+  line.option("--html", [&](auto& name, auto& value) { a.html = runner::not_empty(name, value); });
+  line.option("--json", [&](auto& name, auto& value) { a.json = runner::not_empty(name, value); });
+  line.option("--out", [&](auto& name, auto& value) { a.out = runner::not_empty(name, value); });
+  line.option("--jobs", [&](auto& name, auto& value) { a.jobs = runner::whole_number(name, value); });
+  line.option("--min-speed", [&](auto& name, auto& value) { a.scoring.min_speed = parse_speed(name, value); });
+  line.option("--from", [&](auto& name, auto& value) { a.scoring.from = runner::whole_number(name, value, 0); });
+  line.parse(count, values, [&](const std::string& argument) { a.sequences.emplace_back(argument); });
+  if (!a.help) check(a);
+  return a;
+}
+
+std::string sequence_name(const std::filesystem::path& folder) {
+  std::filesystem::path path = std::filesystem::absolute(folder).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  return path.filename().string();
+}
+
+}  // namespace eval

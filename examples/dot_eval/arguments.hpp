@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "object_score.hpp"
+#include "run/run_options.hpp"
+
+namespace eval {
+
+struct Arguments {
+  runner::RunOptions run;  ///< for every sequence; its folder is not set
+  std::vector<std::filesystem::path> sequences;
+  std::vector<int> rates{1};
+  std::filesystem::path out;   ///< files like dot_run's; empty: none
+  std::filesystem::path html;  ///< empty: none
+  std::filesystem::path json;  ///< empty: none
+  int jobs = 1;
+  bool hide_movers = false;
+  ObjectScoring scoring;
+  bool help = false;
+};
+
+/// What `--help` prints.
+std::string usage();
+
+/// @throws runner::UsageError naming the option.
+Arguments parse_arguments(int count, const char* const* values);
+
+/// Name of a sequence: that of its folder.
+std::string sequence_name(const std::filesystem::path& folder);
+
+}  // namespace eval

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "evaluate.hpp"
+
+#include <chrono>
+#include <exception>
+
+#include "dot/lie/se3.hpp"
+#include "dot/tracker.hpp"
+#include "run/writer.hpp"
+#include "sequence/errors.hpp"
+
+namespace eval {
+namespace {
+
+/// True and estimated poses of the frames whose true one is known.
+class CameraLog {
+ public:
+  void add(const std::optional<Eigen::Matrix4d>& truth, const dot::CameraResult& camera) {
+    T_world_camera_ = T_world_camera_ * dot::SE3d::from_row_major(camera.T_cur_prev).inverse();
+    if (!truth) return;
+    truth_.push_back(*truth);
+    estimate_.push_back(runner::pose_from_row_major(T_world_camera_.row_major().data()));
+  }
+
+  std::optional<CameraScore> score() const {
+    if (truth_.size() < 2) return std::nullopt;
+    return score_camera(truth_, estimate_);
+  }
+
+ private:
+  dot::SE3d T_world_camera_;
+  Poses truth_;
+  Poses estimate_;
+};
+
+/// Mean times; the first frame takes the buffers and has nothing to compare with.
+class TimeLog {
+ public:
+  void add(const StageTimes& stages, double total) {
+    if (++frames_ == 1) return;
+    for (std::size_t i = 0; i < stages.size(); ++i) stages_[i] += stages[i];
+    total_ += total;
+  }
+
+  void store(RunScore& score) const {
+    for (std::size_t i = 0; i < stages_.size(); ++i) score.stage_ms[i] = ratio(stages_[i], frames_ - 1);
+    score.ms_per_frame = ratio(total_, frames_ - 1);
+  }
+
+ private:
+  int frames_ = 0;
+  StageTimes stages_{};
+  double total_ = 0;
+};
+
+bool has_truth(const runner::Recording& recording) {
+  for (const runner::RecordingEntry& entry : recording.entries)
+    if (!entry.truth.instance.empty() || entry.truth.camera) return true;
+  return false;
+}
+
+void run(const Arguments& arguments, const std::filesystem::path& folder, const FrameDone& frame_done,
+         RunScore& score) {
+  runner::SequenceOptions source = arguments.run.sequence;
+  source.folder = folder;
+  source.mask_every = score.every;
+  source.truth = true;
+  runner::Sequence sequence(source);
+  const runner::Recording& recording = sequence.recording();
+  if (!has_truth(recording)) throw runner::FileError(folder.string() + ": has no ground truth");
+  const dot::Options options = tracker_options(arguments.run, sequence.depth_source());
+  dot::Tracker tracker(sequence.intrinsics(), options);
+  std::optional<runner::ResultWriter> writer;
+  if (!arguments.out.empty())
+    writer.emplace(
+        runner::OutputOptions{arguments.out / (score.name + "-every" + std::to_string(score.every)), {}, false},
+        folder);
+
+  ObjectScorer objects(arguments.scoring);
+  std::optional<HiddenMovers> hidden;
+  if (arguments.hide_movers) hidden.emplace(recording, arguments.scoring.min_speed);
+  CameraLog camera;
+  TimeLog times;
+  PictureBook pictures(sequence.size());
+  for (int i = 0; i < sequence.size(); ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    const runner::RecordingEntry& entry = recording.entries[index];
+    runner::SequenceFrame frame = sequence.read(i);
+    const runner::FrameTruth truth = sequence.truth(i);
+    if (hidden) hidden->remove(frame, truth.instance);
+
+    const auto start = std::chrono::steady_clock::now();
+    const dot::Result& result = tracker.track(frame.frame());
+    const std::chrono::duration<double, std::milli> total = std::chrono::steady_clock::now() - start;
+
+    if (writer) writer->write(frame, result, total.count());
+    objects.add(entry, truth, i > 0 ? &recording.entries[index - 1].truth : nullptr, result);
+    if (hidden) hidden->add(entry.truth, truth.instance, result);
+    camera.add(entry.truth.camera, result.camera);
+    times.add(result.stage_ms, total.count());
+    if (!arguments.html.empty()) pictures.consider(i, frame, entry.truth, truth, result, total.count());
+    frame_done(i + 1, sequence.size());
+  }
+
+  score.frames = sequence.size();
+  score.camera = camera.score();
+  if (!objects.score().sightings.empty() || !objects.score().pixels.empty()) {
+    score.objects = objects.score();
+    score.latency = decision_latency(score.objects->sightings, options.velocity.v0);
+  }
+  if (hidden) score.hidden = hidden->score();
+  times.store(score);
+  score.pictures = pictures.take();
+}
+
+}  // namespace
+
+RunScore evaluate(const Arguments& arguments, const std::filesystem::path& sequence, int every,
+                  const FrameDone& frame_done) {
+  RunScore score;
+  score.name = sequence_name(sequence);
+  score.every = every;
+  try {
+    run(arguments, sequence, frame_done, score);
+  } catch (const std::exception& error) {
+    score.error = error.what();
+  }
+  return score;
+}
+
+}  // namespace eval

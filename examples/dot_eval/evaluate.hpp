@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "camera_score.hpp"
+#include "dot/pipeline/result.hpp"
+#include "hidden_movers.hpp"
+#include "latency.hpp"
+#include "object_score.hpp"
+#include "pictures.hpp"
+
+namespace eval {
+
+constexpr std::size_t stage_count = static_cast<std::size_t>(dot::Stage::Count);
+using StageTimes = std::array<double, stage_count>;
+
+/// What one sequence at one mask rate comes to.
+struct RunScore {
+  std::string name;
+  int every = 1;
+  std::string error;  ///< why there is nothing else; empty when there is
+  int frames = 0;
+  std::optional<ObjectScore> objects;  ///< absent: no true instances
+  std::optional<CameraScore> camera;   ///< absent: no true poses
+  std::vector<LatencyEvent> latency;
+  std::optional<HiddenScore> hidden;
+  StageTimes stage_ms{};               ///< means, without the first frame
+  double ms_per_frame = not_a_number;  ///< likewise, all of `track`
+  std::vector<Picture> pictures;       ///< where Arguments::html asks for them
+};
+
+/// Called after each frame with the number done and of all.
+using FrameDone = std::function<void(int done, int total)>;
+
+/// Runs and measures. Whatever fails becomes RunScore::error.
+RunScore evaluate(const Arguments& arguments, const std::filesystem::path& sequence, int every,
+                  const FrameDone& frame_done);
+
+}  // namespace eval

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "hidden_movers.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <utility>
+
+namespace eval {
+namespace {
+
+constexpr int first_counted = 6;
+constexpr long min_area = 1000;  // pixels
+
+}  // namespace
+
+void HiddenScore::add(const HiddenScore& other) {
+  movers += other.movers;
+  pixels += other.pixels;
+  found += other.found;
+  standing += other.standing;
+  false_alarm += other.false_alarm;
+}
+
+HiddenMovers::HiddenMovers(const runner::Recording& recording, double min_speed) : min_speed_(min_speed) {
+  std::set<int> movers;
+  for (const runner::RecordingEntry& entry : recording.entries)
+    for (const auto& [id, object] : entry.truth.objects)
+      if (object.moving) movers.insert(id);
+  bool hide = false;
+  for (const int id : movers) {
+    if (hide) seen_[id] = 0;
+    hide = !hide;
+  }
+  score_.movers = static_cast<int>(seen_.size());
+}
+
+void HiddenMovers::remove(runner::SequenceFrame& frame, const cv::Mat& instance) const {
+  if (frame.ids.empty() || instance.empty()) return;
+  cv::Mat ids;
+  frame.ids.convertTo(ids, CV_32S);
+  std::map<int, long> areas;
+  std::map<std::pair<int, int>, long> covered;  // by instance of the masks and hidden mover
+  for (int y = 0; y < ids.rows; ++y) {
+    for (int x = 0; x < ids.cols; ++x) {
+      const int id = ids.at<int>(y, x);
+      if (id == 0) continue;
+      ++areas[id];
+      if (const int mover = instance.at<int>(y, x); seen_.count(mover) > 0) ++covered[{id, mover}];
+    }
+  }
+  for (const auto& [pair, count] : covered) {
+    const int id = pair.first;
+    if (2 * count < areas[id]) continue;
+    frame.ids.setTo(0, ids == id);
+    frame.instances.erase(
+        std::remove_if(frame.instances.begin(), frame.instances.end(),
+                       [id = static_cast<std::uint32_t>(id)](const dot::Instance& i) { return i.id == id; }),
+        frame.instances.end());
+  }
+}
+
+void HiddenMovers::add(const runner::TruthEntry& entry, const cv::Mat& instance, const dot::Result& result) {
+  if (instance.empty()) return;
+  struct Count {
+    long pixels = 0;
+    long called_moving = 0;
+  };
+  std::map<int, Count> counts;
+  for (int y = 0; y < instance.rows; ++y) {
+    for (int x = 0; x < instance.cols; ++x) {
+      Count& count = counts[instance.at<int>(y, x)];
+      ++count.pixels;
+      count.called_moving += result.labels(x, y) == static_cast<std::uint8_t>(dot::State::Moving);
+    }
+  }
+  for (const auto& [id, count] : counts) {
+    const auto object = entry.objects.find(id);
+    if (object == entry.objects.end() || !object->second.moving) {
+      score_.standing += count.pixels;
+      score_.false_alarm += count.called_moving;
+      continue;
+    }
+    const auto seen = seen_.find(id);
+    if (seen == seen_.end() || count.pixels < min_area || object->second.speed < min_speed_) continue;
+    if (++seen->second < first_counted) continue;
+    score_.pixels += count.pixels;
+    score_.found += count.called_moving;
+  }
+}
+
+}  // namespace eval

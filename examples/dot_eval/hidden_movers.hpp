@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+
+#include "dot/pipeline/result.hpp"
+#include "sequence/sequence.hpp"
+#include "statistics.hpp"
+
+namespace eval {
+
+/// How much of movers that no mask shows is found, and what is found wrongly.
+struct HiddenScore {
+  int movers = 0;
+  long pixels = 0;       ///< of hidden movers, where they count
+  long found = 0;        ///< of these labelled moving
+  long standing = 0;     ///< pixels that do not move
+  long false_alarm = 0;  ///< of these labelled moving
+
+  double found_share() const { return ratio(static_cast<double>(found), static_cast<double>(pixels)); }
+  double false_share() const { return ratio(static_cast<double>(false_alarm), static_cast<double>(standing)); }
+  void add(const HiddenScore& other);
+};
+
+/// Takes every second true mover (by id: the 2nd, 4th, ...) out of the masks that the tracker gets, and measures how
+/// much of it is labelled moving all the same.
+class HiddenMovers {
+ public:
+  /// @param min_speed m/s, from which a hidden mover counts.
+  HiddenMovers(const runner::Recording& recording, double min_speed);
+
+  /// Removes the instances of which at least half lies in a hidden mover.
+  void remove(runner::SequenceFrame& frame, const cv::Mat& instance) const;
+
+  /// A mover counts from the sixth frame in which it has 1,000 pixels and the speed, in frames where it has both.
+  void add(const runner::TruthEntry& entry, const cv::Mat& instance, const dot::Result& result);
+
+  const HiddenScore& score() const { return score_; }
+
+ private:
+  double min_speed_ = 0;
+  std::map<int, int> seen_;  ///< of each hidden mover: frames in which it was large and fast
+  HiddenScore score_;
+};
+
+}  // namespace eval

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+
+/// Measures the tracker over recorded sequences with ground truth; see arguments.cpp for the usage.
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <opencv2/core.hpp>
+#include <opencv2/core/utils/logger.hpp>
+#include <thread>
+#include <vector>
+
+#include "arguments.hpp"
+#include "evaluate.hpp"
+#include "html.hpp"
+#include "pool.hpp"
+#include "progress.hpp"
+#include "report.hpp"
+#include "sequence/errors.hpp"
+#include "text_table.hpp"
+
+namespace {
+
+using namespace eval;
+
+struct Job {
+  const std::filesystem::path* sequence;
+  int every;
+};
+
+/// All sequences at all rates, in the order of the arguments, rate by rate.
+std::vector<RunScore> evaluate_all(const Arguments& arguments) {
+  std::vector<Job> jobs;
+  for (const int every : arguments.rates)
+    for (const std::filesystem::path& sequence : arguments.sequences) jobs.push_back({&sequence, every});
+
+  std::vector<RunScore> runs(jobs.size());
+  Progress progress(static_cast<int>(jobs.size()));
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < jobs.size(); i = next++) {
+      const std::string name = sequence_name(*jobs[i].sequence) + " 1/" + std::to_string(jobs[i].every);
+      const auto frame_done = [&](int done, int total) { progress.frame(static_cast<int>(i), name, done, total); };
+      runs[i] = evaluate(arguments, *jobs[i].sequence, jobs[i].every, frame_done);
+      progress.finished(static_cast<int>(i), name,
+                        runs[i].error.empty() ? std::to_string(runs[i].frames) + " frames" : "FAILED");
+    }
+  };
+  std::vector<std::thread> others;
+  for (std::size_t i = 1; i < std::min(jobs.size(), static_cast<std::size_t>(arguments.jobs)); ++i)
+    others.emplace_back(work);
+  work();
+  for (std::thread& thread : others) thread.join();
+  return runs;
+}
+
+template <typename Write>
+void write_file(const std::filesystem::path& path, Write&& write) {
+  std::ofstream stream(path, std::ios::binary);
+  write(stream);
+  if (!stream.flush()) throw runner::FileError(path.string() + ": cannot be written");
+}
+
+/// @return whether every sequence could be measured.
+bool run(const Arguments& arguments) {
+  // What is wrong with the settings is wrong for every sequence, and is told at once.
+  tracker_options(arguments.run, dot::DepthSource::Unknown);
+  for (const std::filesystem::path& path : {arguments.json, arguments.html})
+    if (!path.empty()) write_file(path, [](std::ostream&) {});
+  cv::setNumThreads(arguments.run.threads);
+
+  const std::vector<RunScore> runs = evaluate_all(arguments);
+  std::vector<Pooled> pooled;
+  for (const int every : arguments.rates) pooled.push_back(pool(runs, every, arguments.rates[0]));
+  std::printf("%s", text_table(runs, pooled).c_str());
+  if (!arguments.json.empty())
+    write_file(arguments.json, [&](std::ostream& out) {
+      report(runs, pooled).write(out);
+      out << '\n';
+    });
+  if (!arguments.html.empty()) write_file(arguments.html, [&](std::ostream& out) { out << html_page(runs, pooled); });
+  return std::all_of(runs.begin(), runs.end(), [](const RunScore& run) { return run.error.empty(); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // Errors are told once, in one line, with the file's name.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  try {
+    const Arguments arguments = parse_arguments(argc, argv);
+    if (arguments.help) {
+      std::printf("%s", usage().c_str());
+      return 0;
+    }
+    return run(arguments) ? 0 : 1;
+  } catch (const runner::UsageError& error) {
+    std::fprintf(stderr, "dot_eval: %s (dot_eval --help lists the options)\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "dot_eval: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "evaluate.hpp"
+#include "json.hpp"
+#include "pool.hpp"
+
+namespace eval {
+
+/// All figures; docs/evaluation.md lists the names.
+Json report(const std::vector<RunScore>& runs, const std::vector<Pooled>& pooled);
+
+}  // namespace eval

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "text_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace eval {
+namespace {
+
+/// Columns of cells, each as wide as its widest; the first is left-aligned.
+class Table {
+ public:
+  explicit Table(std::vector<std::string> header) { rows_.push_back(std::move(header)); }
+
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+
+  /// @param rows_above number of rows, the header not counted, before each of which an empty line goes.
+  std::string text() const {
+    std::vector<std::size_t> widths;
+    for (const std::vector<std::string>& row : rows_) {
+      if (row.size() < rows_[0].size()) continue;  // a remark
+      widths.resize(row.size());
+      for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    }
+    std::string text;
+    for (const std::vector<std::string>& row : rows_) {
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        const std::string padding(widths[i] > row[i].size() ? widths[i] - row[i].size() : 0, ' ');
+        text += (i > 0 ? "  " : "") + (i == 0 ? row[i] + padding : padding + row[i]);
+      }
+      text += '\n';
+    }
+    return text;
+  }
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+std::string share(double value) { return number("%.3f", value); }
+
+std::string rate(int every) { return "1/" + std::to_string(every); }
+
+std::vector<std::string> decisions(const Confusion& c) {
+  return {std::to_string(c.total()),   share(c.f1()),
+          share(c.precision()),        share(c.recall()),
+          share(c.decided_share()),    share(c.static_moving_share()),
+          share(c.static_kept_share())};
+}
+
+void append(std::vector<std::string>& row, const std::vector<std::string>& more) {
+  row.insert(row.end(), more.begin(), more.end());
+}
+
+std::vector<std::string> row_of(const RunScore& run) {
+  std::vector<std::string> row{run.name, rate(run.every)};
+  if (!run.error.empty()) {
+    row.push_back("FAILED: " + run.error);
+    return row;
+  }
+  append(row, run.objects ? decisions(run.objects->confusion) : std::vector<std::string>(7, "-"));
+  row.push_back(run.objects ? share(run.objects->mask_iou()) : "-");
+  row.push_back(run.camera ? number("%.2f", run.camera->rpe_trans_median_cm()) : "-");
+  row.push_back(run.camera ? number("%.4f", run.camera->rpe_rot_median_deg()) : "-");
+  row.push_back(run.camera ? number("%.2f", run.camera->rpe_trans_max_cm()) : "-");
+  row.push_back(run.objects ? std::to_string(run.objects->id_switches) : "-");
+  row.push_back(number("%.1f", run.ms_per_frame));
+  return row;
+}
+
+std::vector<std::string> row_of(const Pooled& p) {
+  std::vector<std::string> row{"POOLED", rate(p.every)};
+  append(row, decisions(p.confusion));
+  append(row, {share(p.mask_iou), number("%.2f", p.rpe_trans_median_cm), number("%.4f", p.rpe_rot_median_deg),
+               number("%.2f", p.rpe_trans_max_cm), std::to_string(p.id_switches), number("%.1f", p.ms_per_frame)});
+  return row;
+}
+
+std::string decision_table(const std::vector<RunScore>& runs, const std::vector<Pooled>& pooled) {
+  Table table({"sequence", "rate", "objfr", "F1", "prec", "recall", "decid", "st>mov", "kept", "IoU", "cm", "deg",
+               "max.cm", "ids", "ms"});
+  for (const Pooled& p : pooled) {
+    for (const RunScore& run : runs)
+      if (run.every == p.every) table.add(row_of(run));
+    if (p.runs > p.failed) table.add(row_of(p));
+  }
+  return table.text();
+}
+
+std::string pooled_table(const std::vector<Pooled>& pooled) {
+  std::vector<std::string> header{"pooled"};
+  for (const Pooled& p : pooled) header.push_back(rate(p.every));
+  Table table(header);
+  const auto add = [&](const std::string& name, const char* pattern, auto&& figure) {
+    std::vector<std::string> row{name};
+    for (const Pooled& p : pooled) row.push_back(number(pattern, figure(p)));
+    table.add(std::move(row));
+  };
+  add("mask IoU over that at the first rate, mean", "%.3f", [](auto& p) { return p.iou_ratio_mean; });
+  add("  of the worst sequence", "%.3f", [](auto& p) { return p.iou_ratio_min; });
+  add("instance IoU", "%.3f", [](auto& p) { return p.instance_iou; });
+  add("movers under 30 m: speed error, m/s", "%.3f", [](auto& p) { return p.near_speed_error; });
+  add("  motion error, m", "%.3f", [](auto& p) { return p.near_motion_error_m; });
+  add("  motion error, deg", "%.3f", [](auto& p) { return p.near_motion_error_deg; });
+  for (std::size_t i = 0; i + 1 < band_count; ++i) {
+    const std::string where = std::string("standing at ") + band_names[i] + " m: ";
+    add(where + "NEES per axis", "%.3f", [i](auto& p) { return p.bands[i].nees_per_axis(); });
+    add("  inside the 95 % ellipsoid", "%.3f", [i](auto& p) { return p.bands[i].within_95(); });
+  }
+  add("coverage of speed, worst sequence", "%.3f", [](auto& p) { return p.speed_coverage; });
+  add("  of sigma", "%.3f", [](auto& p) { return p.sigma_coverage; });
+  add("  of T_o", "%.3f", [](auto& p) { return p.motion_coverage; });
+  add("camera: ATE, worst sequence, m", "%.3f", [](auto& p) { return p.ate_m; });
+  add("decision latency, median, s", "%.2f", [](auto& p) { return median_latency(p.latency); });
+  add("  events", "%.0f", [](auto& p) { return static_cast<double>(p.latency.size()); });
+  if (std::any_of(pooled.begin(), pooled.end(), [](auto& p) { return p.hidden.standing > 0; })) {
+    add("hidden movers: share of their pixels found", "%.3f", [](auto& p) { return p.hidden.found_share(); });
+    add("  pixels that do not move called moving", "%.4f", [](auto& p) { return p.hidden.false_share(); });
+  }
+  for (std::size_t i = 0; i < stage_count; ++i)
+    add((i == 0 ? "ms a frame: " : "  ") + std::string(dot::to_string(static_cast<dot::Stage>(i))), "%.2f",
+        [i](auto& p) { return p.stage_ms[i]; });
+  add("  all", "%.2f", [](auto& p) { return p.ms_per_frame; });
+  return table.text();
+}
+
+std::string latency_lines(const std::vector<RunScore>& runs) {
+  std::string text;
+  for (const RunScore& run : runs) {
+    for (const LatencyEvent& event : run.latency) {
+      const std::string what =
+          event.seconds ? (event.starts ? "moving after " : "static after ") + number("%.2f s", *event.seconds)
+                        : std::string(event.starts ? "never called moving" : "never called static");
+      text += run.name + " " + rate(run.every) + ": object " + std::to_string(event.id) +
+              (event.starts ? " starts" : " stops") + " in frame " + std::to_string(event.frame) + ", " + what + '\n';
+    }
+  }
+  return text.empty() ? "" : "\n" + text;
+}
+
+std::string stretch_line(const std::vector<RunScore>& runs) {
+  std::string text;
+  std::string without;
+  for (const RunScore& run : runs) {
+    if (!run.camera) continue;
+    const std::string name = run.name + " " + rate(run.every);
+    if (run.camera->stretch)
+      text += name + ": " + number("%.3f %%, ", run.camera->stretch->translation_percent) +
+              number("%.4f deg per 100 m", run.camera->stretch->rotation_deg_per_100m) + ", " +
+              std::to_string(run.camera->stretch->stretches) + " stretches\n";
+    else
+      without = "camera error over stretches of 100 to 800 m: paths without an entry are too short for one\n";
+  }
+  return text + without;
+}
+
+}  // namespace
+
+std::string number(const char* pattern, double value) {
+  if (!std::isfinite(value)) return "-";
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+std::string text_table(const std::vector<RunScore>& runs, const std::vector<Pooled>& pooled) {
+  return decision_table(runs, pooled) + '\n' + pooled_table(pooled) + latency_lines(runs) + '\n' + stretch_line(runs);
+}
+
+}  // namespace eval

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "evaluate.hpp"
+#include "pool.hpp"
+
+namespace eval {
+
+/// `pattern` filled in; a dash where the value is not finite.
+std::string number(const char* pattern, double value);
+
+/// The tables for a terminal: a row for each run, the pooled figures of each rate, latencies and times.
+std::string text_table(const std::vector<RunScore>& runs, const std::vector<Pooled>& pooled);
+
+}  // namespace eval

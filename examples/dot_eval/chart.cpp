@@ -13,7 +13,9 @@ namespace {
 
 std::string coordinate(double value) { return number("%.1f", value); }
 
-std::string tick_text(double value) { return number("%.4g", value); }
+std::string tick_text(double value) {
+  return std::abs(value) < 10000 ? number("%.4g", value) : number("%.4gk", value / 1000);
+}
 
 std::string open_svg(const ChartSize& size) {
   return "<svg viewBox=\"0 0 " + std::to_string(size.width) + ' ' + std::to_string(size.height) + "\" role=\"img\">\n";
@@ -33,6 +35,8 @@ std::string box(double x, double y, double width, double height, const std::stri
   return "<rect class=\"" + colour + "\" x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" width=\"" +
          coordinate(width) + "\" height=\"" + coordinate(height) + "\"><title>" + escaped(tip) + "</title></rect>\n";
 }
+
+constexpr int ticks = 5;
 
 /// Distance of about `count` ticks up to `top`: 1, 2 or 5 times a power of ten.
 double tick_step(double top, int count) {
@@ -59,7 +63,7 @@ struct Area {
   double y(double value) const { return bottom - (value - low) / (high - low) * (bottom - top); }
 
   std::string axis() const {
-    const double step = tick_step(high - low, 4);
+    const double step = tick_step(high - low, ticks);
     std::string svg;
     for (double value = std::ceil(low / step - 1e-9) * step; value <= high * (1 + 1e-9); value += step) {
       svg += segment(left, y(value), right, y(value), std::abs(value) < step / 2 ? "axis" : "tick");
@@ -71,19 +75,20 @@ struct Area {
 
 double round_up(double value) {
   if (!(value > 0)) return 1;
-  const double step = tick_step(value, 4);
+  const double step = tick_step(value, ticks);
   return std::ceil(value / step - 1e-9) * step;
 }
 
 }  // namespace
 
 std::string grouped_bars(const ChartSize& size, const std::vector<std::string>& categories,
-                         const std::vector<Series>& series, double top, const Reference& reference) {
-  const double high = top > 0 ? top : round_up(std::max(largest(series), reference.value));
+                         const std::vector<Series>& series, double top, std::optional<double> reference) {
+  const double high = top > 0 ? top : round_up(std::max(largest(series), reference.value_or(0)));
   const Area area{44, size.width - 8.0, 12, size.height - 26.0, 0, high};
   const double slot = (area.right - area.left) / static_cast<double>(categories.size());
   const double bar = std::min(34.0, 0.76 * slot / static_cast<double>(series.size()));
   std::string svg = open_svg(size) + area.axis();
+  std::string values;  // on top of everything
   for (std::size_t i = 0; i < categories.size(); ++i) {
     const double centre = area.left + (static_cast<double>(i) + 0.5) * slot;
     const double first = centre - 0.5 * bar * static_cast<double>(series.size());
@@ -97,15 +102,12 @@ std::string grouped_bars(const ChartSize& size, const std::vector<std::string>& 
       const double y = area.y(std::min(value, high));
       svg += box(x + 0.06 * bar, y, 0.88 * bar, area.bottom - y, series[k].colour,
                  categories[i] + ", " + series[k].name + ": " + tick_text(value));
-      if (bar >= 26) svg += text(x + bar / 2, y - 3, "middle", number("%.2f", value), "value");
+      if (bar >= 26) values += text(x + bar / 2, y - 3, "middle", number("%.2f", value), "value");
     }
     svg += text(centre, area.bottom + 17, "middle", categories[i]);
   }
-  if (reference.value >= 0) {
-    svg += segment(area.left, area.y(reference.value), area.right, area.y(reference.value), "reference");
-    svg += text(area.right, area.y(reference.value) - 4, "end", reference.name);
-  }
-  return svg + "</svg>\n";
+  if (reference) svg += segment(area.left, area.y(*reference), area.right, area.y(*reference), "reference");
+  return svg + values + "</svg>\n";
 }
 
 std::string stacked_rows(const ChartSize& size, const std::vector<std::string>& categories,
@@ -161,8 +163,7 @@ std::string stacked_shares(const ChartSize& size, const std::vector<std::string>
   return svg + "</svg>\n";
 }
 
-std::string lines(const ChartSize& size, const std::vector<double>& x, const std::vector<Series>& series,
-                  const std::string& x_name) {
+std::string lines(const ChartSize& size, const std::vector<double>& x, const std::vector<Series>& series) {
   double low = 0;
   for (const Series& s : series)
     for (const double value : s.values)
@@ -176,7 +177,6 @@ std::string lines(const ChartSize& size, const std::vector<double>& x, const std
   const double step = std::max(1.0, tick_step(span, 5));
   for (double value = std::ceil(x.front() / step) * step; value <= x.back(); value += step)
     svg += text(x_of(value), area.bottom + 16, "middle", tick_text(value));
-  svg += text(area.right, area.top + 10, "end", x_name, "count");
 
   for (auto s = series.rbegin(); s != series.rend(); ++s) {
     std::string points;

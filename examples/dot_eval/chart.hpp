@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,17 +21,11 @@ struct ChartSize {
   int height = 230;
 };
 
-/// A level to compare with.
-struct Reference {
-  double value = not_drawn;
-  std::string name;
-  static constexpr double not_drawn = -1;
-};
-
 /// Bars side by side, a group for each category; values are >= 0.
 /// @param top end of the axis; 0: a round number above the largest value.
+/// @param reference level to compare with, a dashed line.
 std::string grouped_bars(const ChartSize& size, const std::vector<std::string>& categories,
-                         const std::vector<Series>& series, double top, const Reference& reference = {});
+                         const std::vector<Series>& series, double top, std::optional<double> reference = {});
 
 /// A horizontal bar for each category, its parts one after the other; totals at the end.
 /// @param pattern of the totals, for printf with a double.
@@ -42,8 +37,7 @@ std::string stacked_shares(const ChartSize& size, const std::vector<std::string>
                            const std::vector<Series>& parts);
 
 /// A line for each series over common x, the first one on top.
-std::string lines(const ChartSize& size, const std::vector<double>& x, const std::vector<Series>& series,
-                  const std::string& x_name);
+std::string lines(const ChartSize& size, const std::vector<double>& x, const std::vector<Series>& series);
 
 /// Text with the characters that mean something to HTML replaced.
 std::string escaped(const std::string& text);

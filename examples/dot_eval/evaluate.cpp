@@ -95,11 +95,12 @@ void run(const Arguments& arguments, const std::filesystem::path& folder, const 
     const std::chrono::duration<double, std::milli> total = std::chrono::steady_clock::now() - start;
 
     if (writer) writer->write(frame, result, total.count());
-    objects.add(entry, truth, i > 0 ? &recording.entries[index - 1].truth : nullptr, result);
+    const FramePixels pixels = objects.add(entry, truth, i > 0 ? &recording.entries[index - 1].truth : nullptr, result);
     if (hidden) hidden->add(entry.truth, truth.instance, result);
     camera.add(entry.truth.camera, result.camera);
     times.add(result.stage_ms, total.count());
-    if (!arguments.html.empty()) pictures.consider(i, frame, entry.truth, truth, result, total.count());
+    if (!arguments.html.empty())
+      pictures.consider(i, frame, entry.truth, truth.instance, pixels, result, total.count());
     frame_done(i + 1, sequence.size());
   }
 

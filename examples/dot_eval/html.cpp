@@ -98,7 +98,7 @@ std::string tiles(const std::vector<Pooled>& pooled) {
       tile("static called moving", pooled, "%.3f", [](const Pooled& p) { return p.confusion.static_moving_share(); });
   html += tile("decided", pooled, "%.3f", [](const Pooled& p) { return p.confusion.decided_share(); });
   html += tile("moving mask IoU", pooled, "%.3f", [](const Pooled& p) { return p.mask_iou; });
-  html += tile("camera, worst, cm a frame", pooled, "%.2f", [](const Pooled& p) { return p.rpe_trans_median_cm; });
+  html += tile("camera cm, worst", pooled, "%.2f", [](const Pooled& p) { return p.rpe_trans_median_cm; });
   html += tile("ms a frame", pooled, "%.1f", [](const Pooled& p) { return p.ms_per_frame; });
   if (std::any_of(pooled.begin(), pooled.end(), [](const Pooled& p) { return p.hidden.standing > 0; }))
     html += tile("hidden movers found", pooled, "%.3f", [](const Pooled& p) { return p.hidden.found_share(); });
@@ -187,8 +187,9 @@ std::string range_plots(const std::vector<Pooled>& pooled) {
                  "objects' velocities.") +
          "<div class=\"grid two\">\n" + card("moving F1", grouped_bars(size, bands, f1, 1), f1) +
          card("share of objects decided", grouped_bars(size, bands, decided, 1), decided) +
-         card("NEES per axis, standing objects", grouped_bars(size, bands, nees, 0, {1, "true sigmas"}), nees) +
-         card("inside the 95 % ellipsoid", grouped_bars(size, bands, within, 1, {0.95, "0.95"}), within) + "</div>\n";
+         card("NEES per axis, standing objects; 1 is right", grouped_bars(size, bands, nees, 0, 1.0), nees) +
+         card("inside the 95 % ellipsoid; .95 is right", grouped_bars(size, bands, within, 1, 0.95), within) +
+         "</div>\n";
 }
 
 std::string speed_plots(const std::vector<Pooled>& pooled) {
@@ -238,7 +239,7 @@ std::string pixel_plots(const std::vector<RunScore>& runs, const std::vector<Poo
     if (series.empty()) continue;
     series.push_back(truth);
     if (series.size() > names.size()) names = series;
-    plots += card(name, lines({370, 170}, frames, series, "frame"));
+    plots += card(name, lines({370, 170}, frames, series));
   }
   if (plots.empty()) return "";
   return heading("Pixels, frame by frame",
@@ -261,11 +262,15 @@ std::string camera_plots(const std::vector<RunScore>& runs, const std::vector<Po
     std::vector<double> steps;
     for (std::size_t i = 0; i < series[0].values.size(); ++i) steps.push_back(static_cast<double>(i + 1));
     if (series.size() > names.size()) names = series;
-    plots += card(name, lines({370, 150}, steps, series, "step"));
+    plots += card(name, lines({370, 150}, steps, series));
   }
   if (plots.empty()) return "";
-  return heading("Camera error, frame by frame", "Translation error of each step, cm.") + "<p>" + legend(names) +
-         "</p>\n<div class=\"grid three\">\n" + plots + "</div>\n";
+  const std::string stretches = stretch_lines(runs);
+  return heading("Camera error, frame by frame",
+                 "Translation error of each step, cm. " +
+                     (stretches.empty() ? "No path is long enough for KITTI's error over stretches of 100 to 800 m."
+                                        : "Over stretches of 100 to 800 m: " + stretches)) +
+         "<p>" + legend(names) + "</p>\n<div class=\"grid three\">\n" + plots + "</div>\n";
 }
 
 std::string time_plots(const std::vector<RunScore>& runs) {
@@ -314,7 +319,8 @@ std::string gallery(const std::vector<RunScore>& runs) {
   if (html.empty()) return "";
   return heading("Pictures",
                  "Of each run the frame in which most moves and the worst of each half. Orange: called "
-                 "moving; green: static; grey: not observable. White lines: what truly moves.") +
+                 "moving; green: static; grey: not observable. White lines: what truly moves, however slowly; objects "
+                 "too slow or without depth do not count.") +
          "<div class=\"grid two\">\n" + html + "</div>\n";
 }
 
@@ -322,12 +328,15 @@ std::string intro(const std::vector<RunScore>& runs, const std::vector<Pooled>& 
   int frames = 0;
   for (const RunScore& run : runs)
     if (run.every == pooled.front().every) frames += run.frames;
+  std::string remark;
+  if (pooled.front().hidden.standing > 0)
+    remark = " Every second mover is hidden: the masks that the tracker gets do not show it.";
   std::string rates;
   for (const Pooled& p : pooled) rates += (rates.empty() ? "" : ", ") + rate_name(p.every);
   const std::size_t sequences = measured_names(runs).size();
   return "<h1>What moves, and how well it is told</h1>\n<p>" + std::to_string(sequences) +
-         (sequences == 1 ? " sequence, " : " sequences, ") + std::to_string(frames) + " frames; masks: " + rates +
-         ".</p>\n";
+         (sequences == 1 ? " sequence, " : " sequences, ") + std::to_string(frames) + " frames; masks: " + rates + "." +
+         remark + "</p>\n";
 }
 
 }  // namespace

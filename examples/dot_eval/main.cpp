@@ -78,7 +78,7 @@ bool run(const Arguments& arguments) {
   std::printf("%s", text_table(runs, pooled).c_str());
   if (!arguments.json.empty())
     write_file(arguments.json, [&](std::ostream& out) {
-      report(runs, pooled).write(out);
+      report(arguments, runs, pooled).write(out);
       out << '\n';
     });
   if (!arguments.html.empty()) write_file(arguments.html, [&](std::ostream& out) { out << html_page(runs, pooled); });

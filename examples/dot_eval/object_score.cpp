@@ -94,9 +94,11 @@ double ObjectScore::mask_iou() const {
   return ratio(static_cast<double>(both), static_cast<double>(either));
 }
 
-void ObjectScorer::add(const runner::RecordingEntry& entry, const runner::FrameTruth& truth,
-                       const runner::TruthEntry* previous, const dot::Result& result) {
-  if (truth.instance.empty()) return;
+FramePixels ObjectScorer::add(const runner::RecordingEntry& entry, const runner::FrameTruth& truth,
+                              const runner::TruthEntry* previous, const dot::Result& result) {
+  FramePixels pixels;
+  pixels.frame = entry.number;
+  if (truth.instance.empty()) return pixels;
   std::map<int, Region> regions;
   std::map<std::uint32_t, long> track_areas;
   long called_moving = 0;
@@ -121,8 +123,6 @@ void ObjectScorer::add(const runner::RecordingEntry& entry, const runner::FrameT
     }
   }
 
-  FramePixels pixels;
-  pixels.frame = entry.number;
   pixels.wrong = called_moving;
   std::map<int, long> areas;
   for (auto& [id, r] : regions) {
@@ -151,6 +151,7 @@ void ObjectScorer::add(const runner::RecordingEntry& entry, const runner::FrameT
   }
   previous_area_ = std::move(areas);
   if (entry.number >= scoring_.from) score_.pixels.push_back(pixels);
+  return pixels;
 }
 
 void ObjectScorer::add_object(const runner::RecordingEntry& entry, const runner::TruthEntry* previous,

@@ -93,8 +93,8 @@ class ObjectScorer {
 
   /// The next frame. Frames without true instances do not count.
   /// @param previous truth of the frame before it, or null.
-  void add(const runner::RecordingEntry& entry, const runner::FrameTruth& truth, const runner::TruthEntry* previous,
-           const dot::Result& result);
+  FramePixels add(const runner::RecordingEntry& entry, const runner::FrameTruth& truth,
+                  const runner::TruthEntry* previous, const dot::Result& result);
 
   const ObjectScore& score() const { return score_; }
 

@@ -13,7 +13,7 @@ constexpr const char* page_style = R"(
   --stage0: #2a63c8; --stage1: #16a3a0; --stage2: #d99a00; --stage3: #e06a3b; --stage4: #8b6bd1; --stage5: #8a949e; }
 @media (prefers-color-scheme: dark) { :root {
   --page: #121519; --card: #1b1f25; --ink: #e8eaed; --soft: #9ba4af; --grid: #2c323a; --edge: #2a2f37;
-  --moving: #ff8433; --static: #57c274; --unobservable: #828b95; --missed: #cfd5db; --bad: #ff7a70;
+  --moving: #ff8433; --static: #57c274; --unobservable: #9aa3ad; --missed: #4d5661; --bad: #ff7a70;
   --rate0: #6f9ff0; --rate1: #3cc7c2; --rate2: #eebb45; --rate3: #ee7fa0; --rate4: #a98be6; --rate5: #a3c45c;
   --stage0: #6f9ff0; --stage1: #3cc7c2; --stage2: #eebb45; --stage3: #f08f66; --stage4: #ab91ea; --stage5: #7d8792; } }
 * { box-sizing: border-box; }
@@ -24,7 +24,7 @@ h1 { font-size: 27px; line-height: 1.2; margin: 0 0 4px; letter-spacing: -.01em;
 h2 { font-size: 19px; margin: 46px 0 4px; }
 h3 { font-size: 14px; margin: 0; font-weight: 600; }
 p { margin: 0 0 14px; color: var(--soft); max-width: 86ch; }
-.tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(172px, 1fr)); gap: 12px; margin-top: 22px; }
+.tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: 12px; margin-top: 22px; }
 .card, .tile { background: var(--card); border: 1px solid var(--edge); border-radius: 10px; }
 .tile { padding: 14px 16px 12px; }
 .tile h3 { color: var(--soft); font-weight: 500; font-size: 13px; }
@@ -35,7 +35,7 @@ p { margin: 0 0 14px; color: var(--soft); max-width: 86ch; }
 .card { padding: 14px 16px 10px; margin: 0; min-width: 0; }
 .grid { display: grid; gap: 14px; }
 .two { grid-template-columns: repeat(auto-fit, minmax(min(100%, 440px), 1fr)); }
-.three { grid-template-columns: repeat(auto-fit, minmax(min(100%, 330px), 1fr)); }
+.three { grid-template-columns: repeat(auto-fill, minmax(min(100%, 330px), 1fr)); }
 .head { display: flex; flex-wrap: wrap; justify-content: space-between; gap: 2px 16px; margin-bottom: 6px; }
 .legend { display: flex; flex-wrap: wrap; gap: 2px 13px; font-size: 12.5px; color: var(--soft); align-items: center; }
 .legend i { display: inline-block; width: 11px; height: 11px; border-radius: 3px; margin-right: 5px; vertical-align: -1px; }
@@ -45,12 +45,12 @@ th, td { padding: 4px 9px; text-align: right; white-space: nowrap; border-bottom
 th { color: var(--soft); font-weight: 500; font-size: 12.5px; vertical-align: bottom; }
 th:first-child, td:first-child { text-align: left; padding-left: 2px; }
 td.reason { text-align: left; white-space: normal; color: var(--bad); }
-tr.pooled td { font-weight: 650; border-bottom: 2px solid var(--soft); }
+tr.pooled td { font-weight: 650; border-bottom: 0; padding-bottom: 18px; }
 tbody tr:last-child td { border-bottom: 0; }
 td.weak { color: var(--bad); }
 svg { display: block; width: 100%; height: auto; overflow: visible; }
 svg text { fill: var(--soft); font-size: 11.5px; font-variant-numeric: tabular-nums; }
-svg text.value { fill: var(--ink); }
+svg text.value { fill: var(--ink); paint-order: stroke; stroke: var(--card); stroke-width: 3px; stroke-linejoin: round; }
 svg text.count { font-size: 10.5px; }
 line.tick { stroke: var(--grid); } line.axis { stroke: var(--soft); }
 line.reference { stroke: var(--ink); stroke-dasharray: 5 4; }

@@ -9,7 +9,6 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
-#include "dot/image/opencv.hpp"
 #include "run/overlay.hpp"
 
 namespace eval {
@@ -17,14 +16,6 @@ namespace {
 
 constexpr int width = 1000;  // pixels
 constexpr int jpeg_quality = 76;
-
-/// 255 in the true movers of a frame.
-cv::Mat true_movers(const runner::TruthEntry& entry, const cv::Mat& instance) {
-  cv::Mat movers(instance.size(), CV_8UC1, cv::Scalar(0));
-  for (const auto& [id, object] : entry.objects)
-    if (object.moving) movers.setTo(255, instance == id);
-  return movers;
-}
 
 void outline_movers(cv::Mat& picture, const runner::TruthEntry& entry, const cv::Mat& instance) {
   const double zoom = static_cast<double>(picture.cols) / instance.cols;
@@ -57,29 +48,19 @@ Picture draw(const runner::SequenceFrame& frame, const runner::TruthEntry& entry
 }  // namespace
 
 void PictureBook::consider(int index, const runner::SequenceFrame& frame, const runner::TruthEntry& entry,
-                           const runner::FrameTruth& truth, const dot::Result& result, double total_ms) {
+                           const cv::Mat& instance, const FramePixels& pixels, const dot::Result& result,
+                           double total_ms) {
   // At the start nothing can be decided yet, which is no news.
   if (index < std::min(5, frames_ / 4)) return;
-  long moving = 0;
-  long missed = 0;
-  long wrong = 0;
-  const cv::Mat said = dot::to_mat(result.labels) == static_cast<double>(dot::State::Moving);
-  if (truth.instance.empty()) {
-    moving = cv::countNonZero(said);
-  } else {
-    const cv::Mat movers = true_movers(entry, truth.instance);
-    moving = cv::countNonZero(movers);
-    missed = cv::countNonZero(movers & ~said);
-    wrong = cv::countNonZero(said & ~movers);
-  }
-  const std::string title = std::to_string(moving) + " px move, " + std::to_string(missed) + " of them not found; " +
-                            std::to_string(wrong) + " px wrongly called moving";
+  const std::string title = std::to_string(pixels.moving) + " px move, " + std::to_string(pixels.missed()) +
+                            " of them not found; " + std::to_string(pixels.wrong) + " px wrongly called moving";
   const std::size_t half = 2 * index < frames_ ? 0 : 1;
-  const std::array<std::pair<std::size_t, long>, 2> values{{{half, missed + wrong}, {2, moving}}};
+  const std::array<std::pair<std::size_t, long>, 2> values{
+      {{half, pixels.missed() + pixels.wrong}, {2, pixels.moving}}};
   for (const auto& [slot, value] : values) {
     if (value <= slots_[slot].value) continue;
     slots_[slot].value = value;
-    slots_[slot].picture = draw(frame, entry, truth.instance, result, total_ms, title);
+    slots_[slot].picture = draw(frame, entry, instance, result, total_ms, title);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dot/pipeline/result.hpp"
+#include "object_score.hpp"
 #include "sequence/sequence.hpp"
 
 namespace eval {
@@ -27,8 +28,9 @@ class PictureBook {
   explicit PictureBook(int frames) : frames_(frames) {}
 
   /// The next frame, `index` counted from 0.
-  void consider(int index, const runner::SequenceFrame& frame, const runner::TruthEntry& entry,
-                const runner::FrameTruth& truth, const dot::Result& result, double total_ms);
+  /// @param instance true ids, CV_32SC1; may be empty.
+  void consider(int index, const runner::SequenceFrame& frame, const runner::TruthEntry& entry, const cv::Mat& instance,
+                const FramePixels& pixels, const dot::Result& result, double total_ms);
 
   /// The pictures in order of time, each frame once.
   std::vector<Picture> take();

@@ -191,12 +191,15 @@ Json pooled_json(const Pooled& p) {
 
 }  // namespace
 
-Json report(const std::vector<RunScore>& runs, const std::vector<Pooled>& pooled) {
+Json report(const Arguments& arguments, const std::vector<RunScore>& runs, const std::vector<Pooled>& pooled) {
   Json list = Json::array();
   for (const RunScore& run : runs) list.push(run_json(run));
   Json rates = Json::object({});
   for (const Pooled& p : pooled) rates.set(std::to_string(p.every), pooled_json(p));
-  return Json::object({{"runs", std::move(list)}, {"pooled", std::move(rates)}});
+  const Json settings = Json::object({{"min_speed_mps", arguments.scoring.min_speed},
+                                      {"from_frame", arguments.scoring.from},
+                                      {"hide_movers", arguments.hide_movers}});
+  return Json::object({{"settings", settings}, {"runs", std::move(list)}, {"pooled", std::move(rates)}});
 }
 
 }  // namespace eval

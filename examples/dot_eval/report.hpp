@@ -9,6 +9,6 @@
 namespace eval {
 
 /// All figures; docs/evaluation.md lists the names.
-Json report(const std::vector<RunScore>& runs, const std::vector<Pooled>& pooled);
+Json report(const Arguments& arguments, const std::vector<RunScore>& runs, const std::vector<Pooled>& pooled);
 
 }  // namespace eval

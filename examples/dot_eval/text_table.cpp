@@ -17,7 +17,6 @@ class Table {
 
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
 
-  /// @param rows_above number of rows, the header not counted, before each of which an empty line goes.
   std::string text() const {
     std::vector<std::size_t> widths;
     for (const std::vector<std::string>& row : rows_) {
@@ -141,22 +140,6 @@ std::string latency_lines(const std::vector<RunScore>& runs) {
   return text.empty() ? "" : "\n" + text;
 }
 
-std::string stretch_line(const std::vector<RunScore>& runs) {
-  std::string text;
-  std::string without;
-  for (const RunScore& run : runs) {
-    if (!run.camera) continue;
-    const std::string name = run.name + " " + rate(run.every);
-    if (run.camera->stretch)
-      text += name + ": " + number("%.3f %%, ", run.camera->stretch->translation_percent) +
-              number("%.4f deg per 100 m", run.camera->stretch->rotation_deg_per_100m) + ", " +
-              std::to_string(run.camera->stretch->stretches) + " stretches\n";
-    else
-      without = "camera error over stretches of 100 to 800 m: paths without an entry are too short for one\n";
-  }
-  return text + without;
-}
-
 }  // namespace
 
 std::string number(const char* pattern, double value) {
@@ -166,8 +149,21 @@ std::string number(const char* pattern, double value) {
   return text;
 }
 
+std::string stretch_lines(const std::vector<RunScore>& runs) {
+  std::string text;
+  for (const RunScore& run : runs)
+    if (run.camera && run.camera->stretch)
+      text += run.name + " " + rate(run.every) + ": " + number("%.3f %%, ", run.camera->stretch->translation_percent) +
+              number("%.4f deg per 100 m", run.camera->stretch->rotation_deg_per_100m) + " in " +
+              std::to_string(run.camera->stretch->stretches) + " stretches\n";
+  return text;
+}
+
 std::string text_table(const std::vector<RunScore>& runs, const std::vector<Pooled>& pooled) {
-  return decision_table(runs, pooled) + '\n' + pooled_table(pooled) + latency_lines(runs) + '\n' + stretch_line(runs);
+  const std::string stretches = stretch_lines(runs);
+  return decision_table(runs, pooled) + '\n' + pooled_table(pooled) + latency_lines(runs) +
+         "\ncamera error over stretches of 100 to 800 m" +
+         (stretches.empty() ? ": absent, no path is long enough\n" : '\n' + stretches);
 }
 
 }  // namespace eval

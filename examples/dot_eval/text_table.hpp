@@ -13,6 +13,9 @@ namespace eval {
 /// `pattern` filled in; a dash where the value is not finite.
 std::string number(const char* pattern, double value);
 
+/// A line for each run whose path is long enough for errors over stretches of 100 m.
+std::string stretch_lines(const std::vector<RunScore>& runs);
+
 /// The tables for a terminal: a row for each run, the pooled figures of each rate, latencies and times.
 std::string text_table(const std::vector<RunScore>& runs, const std::vector<Pooled>& pooled);
 

@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+#
+# dot_eval as a program: what it writes on the sample, that it goes on after a sequence that fails, and bad input.
+# usage: dot_eval_test.sh DOT_EVAL DOT_RUN SAMPLE_DIR WORK_DIR
+# WORK_DIR/eval.json and eval.html are left for eval_output.cmake.
+
+set -u
+if [ $# -ne 4 ]; then
+  echo "usage: $0 DOT_EVAL DOT_RUN SAMPLE_DIR WORK_DIR" >&2
+  exit 2
+fi
+dot_eval=$1
+dot_run=$2
+sample=$3
+work=$4
+rm -rf "$work"
+mkdir -p "$work" || exit 1
+failures=0
+
+fail() {
+  failures=$((failures + 1))
+  echo "FAILED: $1" >&2
+  sed 's/^/    /' "$work/stderr" >&2
+}
+
+# ends WHAT STATUS TEXT ARGUMENT...: the program ends with STATUS and says TEXT on one of its outputs.
+ends() {
+  local what=$1 status=$2 text=$3 got
+  shift 3
+  "$dot_eval" "$@" > "$work/stdout" 2> "$work/stderr"
+  got=$?
+  [ "$got" -eq "$status" ] || fail "$what: status $got, expected $status"
+  cat "$work/stdout" "$work/stderr" | grep -qF -- "$text" || fail "$what: nothing says '$text'"
+}
+
+# short N FOLDER: the sample's first N frames.
+short() {
+  local folder i
+  mkdir -p "$2"
+  cp "$sample"/{intrinsics.txt,objects.csv,object_poses.txt} "$2"
+  head -n "$1" "$sample/times.txt" > "$2/times.txt"
+  head -n "$1" "$sample/poses.txt" > "$2/poses.txt"
+  for folder in rgb depth masks instance; do
+    mkdir "$2/$folder"
+    for ((i = 0; i < $1; ++i)); do cp "$sample/$folder/$(printf %06d "$i").png" "$2/$folder"; done
+  done
+}
+short 6 "$work/first"
+short 5 "$work/other"
+
+# --- The sample, and a sequence that is not there: it is a row, and the exit status.
+
+ends "sample" 1 "FAILED: $work/none: no such folder" "$sample" "$work/none" --rates 1,4 --html "$work/eval.html" \
+  --json "$work/eval.json" --hide-movers
+grep -q '^POOLED ' "$work/stdout" || fail "no pooled row"
+
+# --- With --out the files are those of dot_run.
+
+ends "output" 0 "first" "$work/first" --rates 2 --out "$work/out"
+"$dot_run" "$work/first" --mask-every 2 --out "$work/run" > /dev/null || fail "dot_run failed"
+for file in camera.txt objects.csv labels/000005.png instances/000005.png; do
+  cmp -s "$work/run/$file" "$work/out/first-every2/$file" || fail "$file differs from dot_run's"
+done
+[ "$(wc -l < "$work/out/first-every2/timing.csv")" -eq 7 ] || fail "timing.csv has not a line a frame"
+
+# --- Side by side the results are the same, in the same order; times apart.
+
+figures() { grep -v -e '_ms' -e '"ms_per_frame"' -e '"image"' -e '"camera": [0-9]' -e '"masks"' -e '"objects"' \
+  -e '"label"' -e '"points"' -e '"total"' "$1"; }
+ends "one job" 0 "other" "$work/first" "$work/other" --rates 1,3 --json "$work/one.json" --jobs 1
+ends "three jobs" 0 "other" "$work/first" "$work/other" --rates 1,3 --json "$work/three.json" --jobs 3
+[ "$(figures "$work/one.json")" = "$(figures "$work/three.json")" ] || fail "--jobs changes the figures"
+
+# --- Truth that is absent in part.
+
+cp -r "$work/first" "$work/posesonly"
+rm -r "$work/posesonly/instance"
+ends "camera truth alone" 0 "posesonly" "$work/posesonly" --html "$work/posesonly.html" --json "$work/posesonly.json"
+rm "$work/posesonly/poses.txt"
+ends "no truth" 1 "has no ground truth" "$work/posesonly"
+
+# --- Command line.
+
+ends "help" 0 "--hide-movers" --help
+ends "no sequence" 2 "no sequence" --rates 1
+ends "rate 0" 2 "--rates" "$sample" --rates 0,1
+ends "rate twice" 2 "--rates" "$sample" --rates 2,2
+ends "names that are the same" 2 "first" "$work/first" "$work/out/../first"
+ends "a camera for two" 2 "--camera" "$work/first" "$work/other" --camera "$work/first/poses.txt"
+ends "negative speed" 2 "--min-speed" "$sample" --min-speed -1
+ends "unknown option" 2 "--no-such" "$sample" --no-such
+ends "unknown setting" 1 "velocity.v1" "$sample" --config <(echo "velocity.v1 = 1")
+ends "page into a folder that is not there" 1 "$work/none/x.html" "$work/first" --html "$work/none/x.html"
+
+if [ "$failures" -gt 0 ]; then
+  echo "$failures checks failed" >&2
+  exit 1
+fi
+echo "all checks passed"

@@ -3,6 +3,7 @@
 #include "arguments.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <set>
 
@@ -50,10 +51,6 @@ void check(const Arguments& a) {
   if (a.sequences.empty()) throw UsageError("no sequence folder given");
   if (!a.run.sequence.camera.empty() && a.sequences.size() > 1)
     throw UsageError("--camera belongs to one sequence, and " + std::to_string(a.sequences.size()) + " are given");
-  std::set<std::string> names;
-  for (const std::filesystem::path& sequence : a.sequences)
-    if (!names.insert(sequence_name(sequence)).second)
-      throw UsageError("two sequences are named '" + sequence_name(sequence) + "'");
 }
 
 }  // namespace
@@ -78,13 +75,28 @@ Arguments parse_arguments(int count, const char* const* values) {
   line.option("--from", [&](auto& name, auto& value) { a.scoring.from = runner::whole_number(name, value, 0); });
   line.parse(count, values, [&](const std::string& argument) { a.sequences.emplace_back(argument); });
   if (!a.help) check(a);
+  a.names = sequence_names(a.sequences);
   return a;
 }
 
-std::string sequence_name(const std::filesystem::path& folder) {
-  std::filesystem::path path = std::filesystem::absolute(folder).lexically_normal();
-  if (!path.has_filename()) path = path.parent_path();
-  return path.filename().string();
+std::vector<std::string> sequence_names(const std::vector<std::filesystem::path>& folders) {
+  std::vector<std::string> names(folders.size());
+  std::vector<std::filesystem::path> rest;
+  for (const std::filesystem::path& folder : folders) {
+    rest.push_back(std::filesystem::absolute(folder).lexically_normal());
+    if (!rest.back().has_filename()) rest.back() = rest.back().parent_path();
+  }
+  std::vector<bool> unclear(folders.size(), true);
+  while (std::find(unclear.begin(), unclear.end(), true) != unclear.end()) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (!unclear[i]) continue;
+      if (!rest[i].has_filename()) throw UsageError(folders[i].string() + " is given twice");
+      names[i] = rest[i].filename().string() + (names[i].empty() ? "" : "-" + names[i]);
+      rest[i] = rest[i].parent_path();
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) unclear[i] = std::count(names.begin(), names.end(), names[i]) > 1;
+  }
+  return names;
 }
 
 }  // namespace eval

@@ -14,6 +14,7 @@ namespace eval {
 struct Arguments {
   runner::RunOptions run;  ///< for every sequence; its folder is not set
   std::vector<std::filesystem::path> sequences;
+  std::vector<std::string> names;  ///< of the sequences, each different
   std::vector<int> rates{1};
   std::filesystem::path out;   ///< files like dot_run's; empty: none
   std::filesystem::path html;  ///< empty: none
@@ -30,7 +31,8 @@ std::string usage();
 /// @throws runner::UsageError naming the option.
 Arguments parse_arguments(int count, const char* const* values);
 
-/// Name of a sequence: that of its folder.
-std::string sequence_name(const std::filesystem::path& folder);
+/// Names of sequences: those of their folders, with as many of the folders above as make them differ, "Scene01-clone".
+/// @throws runner::UsageError when a folder is given twice.
+std::vector<std::string> sequence_names(const std::vector<std::filesystem::path>& folders);
 
 }  // namespace eval

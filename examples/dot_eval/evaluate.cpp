@@ -117,13 +117,12 @@ void run(const Arguments& arguments, const std::filesystem::path& folder, const 
 
 }  // namespace
 
-RunScore evaluate(const Arguments& arguments, const std::filesystem::path& sequence, int every,
-                  const FrameDone& frame_done) {
+RunScore evaluate(const Arguments& arguments, std::size_t sequence, int every, const FrameDone& frame_done) {
   RunScore score;
-  score.name = sequence_name(sequence);
+  score.name = arguments.names[sequence];
   score.every = every;
   try {
-    run(arguments, sequence, frame_done, score);
+    run(arguments, arguments.sequences[sequence], frame_done, score);
   } catch (const std::exception& error) {
     score.error = error.what();
   }

@@ -42,7 +42,7 @@ struct RunScore {
 using FrameDone = std::function<void(int done, int total)>;
 
 /// Runs and measures. Whatever fails becomes RunScore::error.
-RunScore evaluate(const Arguments& arguments, const std::filesystem::path& sequence, int every,
-                  const FrameDone& frame_done);
+/// @param sequence index of Arguments::sequences.
+RunScore evaluate(const Arguments& arguments, std::size_t sequence, int every, const FrameDone& frame_done);
 
 }  // namespace eval

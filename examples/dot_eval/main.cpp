@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -27,7 +28,7 @@ namespace {
 using namespace eval;
 
 struct Job {
-  const std::filesystem::path* sequence;
+  std::size_t sequence;  ///< index of Arguments::sequences
   int every;
 };
 
@@ -35,16 +36,16 @@ struct Job {
 std::vector<RunScore> evaluate_all(const Arguments& arguments) {
   std::vector<Job> jobs;
   for (const int every : arguments.rates)
-    for (const std::filesystem::path& sequence : arguments.sequences) jobs.push_back({&sequence, every});
+    for (std::size_t i = 0; i < arguments.sequences.size(); ++i) jobs.push_back({i, every});
 
   std::vector<RunScore> runs(jobs.size());
   Progress progress(static_cast<int>(jobs.size()));
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < jobs.size(); i = next++) {
-      const std::string name = sequence_name(*jobs[i].sequence) + " 1/" + std::to_string(jobs[i].every);
+      const std::string name = arguments.names[jobs[i].sequence] + " 1/" + std::to_string(jobs[i].every);
       const auto frame_done = [&](int done, int total) { progress.frame(static_cast<int>(i), name, done, total); };
-      runs[i] = evaluate(arguments, *jobs[i].sequence, jobs[i].every, frame_done);
+      runs[i] = evaluate(arguments, jobs[i].sequence, jobs[i].every, frame_done);
       progress.finished(static_cast<int>(i), name,
                         runs[i].error.empty() ? std::to_string(runs[i].frames) + " frames" : "FAILED");
     }

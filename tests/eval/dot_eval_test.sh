@@ -87,7 +87,7 @@ ends "help" 0 "--hide-movers" --help
 ends "no sequence" 2 "no sequence" --rates 1
 ends "rate 0" 2 "--rates" "$sample" --rates 0,1
 ends "rate twice" 2 "--rates" "$sample" --rates 2,2
-ends "names that are the same" 2 "first" "$work/first" "$work/out/../first"
+ends "the same sequence twice" 2 "given twice" "$work/first" "$work/out/../first"
 ends "a camera for two" 2 "--camera" "$work/first" "$work/other" --camera "$work/first/poses.txt"
 ends "negative speed" 2 "--min-speed" "$sample" --min-speed -1
 ends "unknown option" 2 "--no-such" "$sample" --no-such

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot_eval/arguments.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sequence/errors.hpp"
+
+namespace eval {
+namespace {
+
+using Names = std::vector<std::string>;
+
+TEST(SequenceNames, AreThoseOfTheFolders) {
+  EXPECT_EQ(sequence_names({"/data/a", "/data/b/", "/data/c/."}), (Names{"a", "b", "c"}));
+}
+
+TEST(SequenceNames, FoldersOfOneNameAreToldApartByThoseAbove) {
+  EXPECT_EQ(sequence_names({"/data/Scene01/clone", "/data/Scene02/clone", "/data/Scene02/rain"}),
+            (Names{"Scene01-clone", "Scene02-clone", "rain"}));
+  EXPECT_EQ(sequence_names({"/one/x/clone", "/two/x/clone"}), (Names{"one-x-clone", "two-x-clone"}));
+}
+
+TEST(SequenceNames, TheSameFolderTwiceIsAnError) {
+  EXPECT_THROW(sequence_names({"/data/a", "/data/b/../a"}), runner::UsageError);
+}
+
+TEST(Arguments, AllOfThem) {
+  const char* const line[] = {"dot_eval",    "/d/a", "--rates", "1,4",    "/d/b",     "--jobs=3",   "--from", "5",
+                              "--min-speed", "0.25", "--html",  "x.html", "--stereo", "--mask-dir", "m"};
+  const Arguments a = parse_arguments(static_cast<int>(std::size(line)), line);
+  EXPECT_EQ(a.sequences.size(), 2U);
+  EXPECT_EQ(a.rates, (std::vector<int>{1, 4}));
+  EXPECT_EQ(a.jobs, 3);
+  EXPECT_EQ(a.scoring.from, 5);
+  EXPECT_DOUBLE_EQ(a.scoring.min_speed, 0.25);
+  EXPECT_EQ(a.html, "x.html");
+  EXPECT_TRUE(a.run.sequence.stereo);
+  EXPECT_EQ(a.run.sequence.mask_dir, "m");
+}
+
+}  // namespace
+}  // namespace eval

@@ -50,7 +50,7 @@ TEST(CameraScore, PerfectUpToAnotherWorldIsZero) {
   Poses truth, estimate;
   const Eigen::Matrix4d world = at(3, -1, 2) * turned({1, 1, 0}, 40);
   for (int i = 0; i < 5; ++i) {
-    truth.push_back(at(0.1 * i * i, 0.01 * i, i) * turned({0, 1, 0}, 3 * i));
+    truth.push_back(at(0.1 * i * i, 0.01 * i * i * i, i) * turned({0, 1, 0}, 3 * i));
     estimate.push_back(world * truth.back());
   }
   const CameraScore score = score_camera(truth, estimate);

@@ -57,6 +57,14 @@ TEST(Latency, TheWaitEndsWithTheOppositeEvent) {
   EXPECT_TRUE(std::isinf(median_latency({events[0]})));
 }
 
+TEST(Latency, TheWaitEndsWithTheOppositeEventAlsoFarAway) {
+  std::vector<Sighting> sightings = film({{0, Answer::Static}, {2, Answer::Static}, {0, Answer::Moving}});
+  sightings[2].range = 40;
+  const auto events = decision_latency(sightings, v0);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_FALSE(events[0].seconds);
+}
+
 TEST(Latency, FarAndSmallObjectsDoNotCount) {
   std::vector<Sighting> far = film({{0, Answer::Static}, {2, Answer::Moving}});
   far[1].range = 30;
@@ -68,6 +76,7 @@ TEST(Latency, FarAndSmallObjectsDoNotCount) {
 
 TEST(Latency, UnknownSpeedsSayNothing) {
   EXPECT_TRUE(decision_latency(film({{0, Answer::Static}, {-1, Answer::Moving}}), v0).empty());
+  EXPECT_TRUE(decision_latency(film({{2, Answer::Static}, {-1, Answer::Moving}, {2, Answer::Moving}}), v0).empty());
 }
 
 TEST(Latency, MedianCountsEventsWithoutAnAnswerAsEndless) {

@@ -137,7 +137,7 @@ TEST(ObjectScore, SwitchesOfTheIdAreCounted) {
   Scene scene(0);
   scene.add(1, place_a, true, 5);
   ObjectScorer scorer({});
-  for (const std::uint32_t id : {7U, 7U, 7U, 9U, 9U, 7U}) {
+  for (const std::uint32_t id : {7U, 7U, 9U, 9U, 9U, 7U}) {
     HandMadeResult answer(frame_size);
     answer.add(id, State::Moving, place_a);
     scorer.add(scene.entry, scene.truth, nullptr, answer.result());

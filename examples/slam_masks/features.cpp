@@ -28,16 +28,23 @@ bool stronger(const cv::KeyPoint& a, const cv::KeyPoint& b) {
 
 }  // namespace
 
-std::vector<std::size_t> Features::near(const cv::Point2d& place, double radius) const {
-  std::vector<std::size_t> found;
-  if (cells.empty()) return found;
-  const int cell_rows = static_cast<int>(cells.size()) / cell_columns;
-  const auto cell = [](double x, int count) {
+Grid::Grid(cv::Size image)
+    : columns((image.width + cell_pixels - 1) / cell_pixels), rows((image.height + cell_pixels - 1) / cell_pixels) {}
+
+cv::Point Grid::cell(const cv::Point2d& place) const {
+  const auto along = [](double x, int count) {
     return static_cast<int>(std::clamp(std::floor(x / cell_pixels), 0.0, count - 1.0));
   };
-  for (int row = cell(place.y - radius, cell_rows); row <= cell(place.y + radius, cell_rows); ++row) {
-    for (int column = cell(place.x - radius, cell_columns); column <= cell(place.x + radius, cell_columns); ++column) {
-      for (const std::size_t i : cells[static_cast<std::size_t>(row * cell_columns + column)])
+  return {along(place.x, columns), along(place.y, rows)};
+}
+
+std::vector<std::size_t> Features::near(const cv::Point2d& place, double radius) const {
+  std::vector<std::size_t> found;
+  const cv::Point first = grid.cell({place.x - radius, place.y - radius});
+  const cv::Point last = grid.cell({place.x + radius, place.y + radius});
+  for (int row = first.y; row <= last.y; ++row) {
+    for (int column = first.x; column <= last.x; ++column) {
+      for (const std::size_t i : cells[grid.index(column, row)])
         if (cv::norm(cv::Point2d(pixels[i]) - place) <= radius) found.push_back(i);
     }
   }
@@ -60,31 +67,27 @@ void FeatureExtractor::set_frame(const cv::Mat& image, const cv::Mat& depth) {
 }
 
 Features FeatureExtractor::outside(const cv::Mat& exclude) {
-  const int columns = (grey_.cols + cell_pixels - 1) / cell_pixels;
-  const int rows = (grey_.rows + cell_pixels - 1) / cell_pixels;
-  std::vector<std::vector<cv::KeyPoint>> cells(static_cast<std::size_t>(columns * rows));
-  for (const cv::KeyPoint& corner : corners_) {
-    const cv::Point pixel(corner.pt);
-    if (exclude.at<std::uint8_t>(pixel) == 0)
-      cells[static_cast<std::size_t>(pixel.y / cell_pixels * columns + pixel.x / cell_pixels)].push_back(corner);
-  }
+  Features features;
+  features.grid = Grid(grey_.size());
+  const auto cell_of = [&](const cv::KeyPoint& corner) {
+    const cv::Point cell = features.grid.cell(corner.pt);
+    return features.grid.index(cell.x, cell.y);
+  };
+  std::vector<std::vector<cv::KeyPoint>> cells(features.grid.size());
+  for (const cv::KeyPoint& corner : corners_)
+    if (exclude.at<std::uint8_t>(cv::Point(corner.pt)) == 0) cells[cell_of(corner)].push_back(corner);
+
   std::vector<cv::KeyPoint> chosen;
-  for (std::size_t rank = 0; static_cast<int>(chosen.size()) < budget_; ++rank) {
-    const std::size_t before = chosen.size();
+  for (std::size_t rank = 0, before = 1; chosen.size() != before; ++rank) {
+    before = chosen.size();
     for (const std::vector<cv::KeyPoint>& cell : cells)
       if (rank < cell.size() && static_cast<int>(chosen.size()) < budget_) chosen.push_back(cell[rank]);
-    if (chosen.size() == before) break;
   }
-
-  Features features;
   orb_->compute(grey_, chosen, features.descriptors);
-  features.cell_columns = columns;
-  features.cells.resize(cells.size());
+  features.cells.resize(features.grid.size());
   for (const cv::KeyPoint& corner : chosen) {
-    const cv::Point pixel(corner.pt);
-    features.cells[static_cast<std::size_t>(pixel.y / cell_pixels * columns + pixel.x / cell_pixels)].push_back(
-        features.size());
-    const float z = depth_.at<float>(pixel);
+    const float z = depth_.at<float>(cv::Point(corner.pt));
+    features.cells[cell_of(corner)].push_back(features.size());
     features.pixels.push_back(corner.pt);
     features.sigmas.push_back(std::pow(level_scale, static_cast<float>(corner.octave)));
     features.depths.push_back(std::isfinite(z) && z > 0 ? z : 0);

@@ -9,14 +9,29 @@
 
 namespace slam {
 
+/// Square cells over an image.
+struct Grid {
+  int columns = 0;
+  int rows = 0;
+
+  Grid() = default;
+  explicit Grid(cv::Size image);
+  std::size_t size() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+  }
+  /// Column and row of the cell at a place, or of the nearest one for a place outside.
+  cv::Point cell(const cv::Point2d& place) const;
+};
+
 /// The features of a frame that lie outside a mask; row i of `descriptors` belongs to element i of the vectors.
 struct Features {
   std::vector<cv::Point2f> pixels;
   std::vector<float> sigmas;  ///< of the pixel coordinates, px: a corner of a coarser level is found less exactly
   std::vector<float> depths;  ///< metres; 0 where none was measured
   cv::Mat descriptors;
-  std::vector<std::vector<std::size_t>> cells;  ///< indices, for `near`
-  int cell_columns = 0;
+  Grid grid;
+  std::vector<std::vector<std::size_t>> cells;  ///< indices of the features in each cell
 
   std::size_t size() const { return pixels.size(); }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
 
-/// How much the masks help a visual odometry: the experiment of the paper's section IV; see docs/slam-masks.md.
+/// How much the masks help a visual odometry: the experiment of the paper's section 4; see docs/slam-masks.md.
 
 #include <cstdio>
 #include <exception>

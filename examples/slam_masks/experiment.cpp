@@ -6,16 +6,17 @@
 #include <cstdint>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "dot/camera/depth_noise.hpp"
 #include "dot/lie/se3.hpp"
 #include "dot/pipeline/exclusion.hpp"
 #include "dot/tracker.hpp"
+#include "dot_eval/camera_score.hpp"
 #include "features.hpp"
 #include "odometry.hpp"
 #include "sequence/errors.hpp"
 #include "sequence/sequence.hpp"
-#include "trajectory.hpp"
 
 namespace slam {
 
@@ -26,16 +27,31 @@ struct Run {
   std::vector<dot::SE3d> poses;
 };
 
-std::vector<dot::SE3d> true_poses(const runner::Recording& recording, const std::filesystem::path& folder) {
-  std::vector<dot::SE3d> poses;
-  for (const runner::RecordingEntry& entry : recording.entries) {
-    if (!entry.truth.camera)
-      throw runner::FileError(folder.string() + ": has no true pose of the camera for frame " +
-                              std::to_string(entry.number));
-    const Eigen::Matrix4d& T = *entry.truth.camera;
-    poses.push_back({T.topLeftCorner<3, 3>(), T.topRightCorner<3, 1>()});
+/// The true poses, and the frames that have one.
+struct Truth {
+  std::vector<std::size_t> frames;
+  eval::Poses poses;
+};
+
+Truth true_poses(const runner::Sequence& sequence, const std::filesystem::path& folder) {
+  Truth truth;
+  const std::vector<runner::RecordingEntry>& entries = sequence.recording().entries;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::optional<Eigen::Matrix4d>& T = entries[i].truth.camera;
+    if (!T) continue;
+    truth.frames.push_back(i);
+    truth.poses.push_back(*T);
   }
-  return poses;
+  constexpr std::size_t fewest = 3;  // positions for an alignment
+  if (truth.poses.size() < fewest) throw runner::FileError(folder.string() + ": has no true poses of the camera");
+  return truth;
+}
+
+eval::CameraScore score(const Truth& truth, const std::vector<dot::SE3d>& poses) {
+  eval::Poses estimate;
+  for (const std::size_t frame : truth.frames)
+    estimate.push_back(runner::pose_from_row_major(poses[frame].row_major().data()));
+  return eval::score_camera(truth.poses, estimate);
 }
 
 cv::Mat metres(const runner::SequenceFrame& frame) {
@@ -70,7 +86,7 @@ Experiment run_experiment(const Arguments& arguments, const std::filesystem::pat
   options.sequence.truth = true;
   runner::Sequence sequence(options.sequence);
   const dot::Intrinsics& camera = sequence.intrinsics();
-  const dot::Options settings = tracker_options(options, sequence);
+  const dot::Options settings = tracker_options(options, sequence.depth_source());
   dot::Tracker tracker(camera, settings);
   FeatureExtractor extractor(arguments.features);
   PerMasks<std::vector<Run>> runs;
@@ -82,8 +98,7 @@ Experiment run_experiment(const Arguments& arguments, const std::filesystem::pat
   Experiment e;
   e.name = std::filesystem::absolute(folder / "").parent_path().filename().string();
   e.frames = sequence.size();
-  const std::vector<dot::SE3d> truth = true_poses(sequence.recording(), folder);
-  e.path = path_length(truth);
+  const Truth truth = true_poses(sequence, folder);
 
   for (int i = 0; i < e.frames; ++i) {
     const runner::SequenceFrame frame = sequence.read(i);
@@ -99,7 +114,9 @@ Experiment run_experiment(const Arguments& arguments, const std::filesystem::pat
 
   for (std::size_t m = 0; m < runs.size(); ++m) {
     for (const Run& run : runs[m]) {
-      e.ate[m].push_back(absolute_trajectory_error(truth, run.poses));
+      const eval::CameraScore camera_score = score(truth, run.poses);
+      e.path = camera_score.path_m;
+      e.ate[m].push_back(camera_score.ate_m);
       e.lost[m].push_back(run.odometry.lost());
     }
     std::sort(e.ate[m].begin(), e.ate[m].end());

@@ -60,7 +60,7 @@ void FeatureExtractor::set_frame(const cv::Mat& image, const cv::Mat& depth) {
   if (image.channels() == 1)
     grey_ = image;
   else
-    cv::cvtColor(image, grey_, cv::COLOR_BGR2GRAY);
+    cv::cvtColor(image, grey_, image.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);
   depth_ = depth;
   orb_->detect(grey_, corners_);
   std::sort(corners_.begin(), corners_.end(), stronger);

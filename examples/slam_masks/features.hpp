@@ -45,7 +45,7 @@ class FeatureExtractor {
   explicit FeatureExtractor(int budget);
 
   /// Looks for corners everywhere, once for all masks of a frame.
-  /// @param image 8 bit, grey or BGR. @param depth CV_32FC1, metres.
+  /// @param image 8 bit, grey, BGR or BGRA. @param depth CV_32FC1, metres.
   void set_frame(const cv::Mat& image, const cv::Mat& depth);
 
   /// The strongest corners outside the mask, the same number in each cell of a grid as far as there are so many: what

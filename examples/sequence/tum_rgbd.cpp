@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "tum_rgbd.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "dot/lie/se3.hpp"
+#include "entries.hpp"
+#include "errors.hpp"
+#include "images.hpp"
+#include "text.hpp"
+
+namespace runner {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double depth_units_per_metre = 5000;
+constexpr double same_time = 0.02;   // seconds between an image and its depth
+constexpr double longest_gap = 0.1;  // seconds between two true poses
+
+struct Calibration {
+  const char* folder;  ///< part of its name
+  double fx, fy, cx, cy;
+};
+constexpr Calibration calibrations[] = {{"freiburg1", 517.3, 516.5, 318.6, 255.3},
+                                        {"freiburg2", 520.9, 521.0, 325.1, 249.7},
+                                        {"freiburg3", 535.4, 539.2, 320.1, 247.6},
+                                        {"rgbd_bonn", 542.822841, 542.576870, 315.593520, 237.756098},
+                                        {"", 525, 525, 319.5, 239.5}};
+
+dot::Intrinsics intrinsics(const fs::path& folder, cv::Size size) {
+  const std::string name = fs::absolute(folder / "").parent_path().filename().string();
+  const Calibration& c = *std::find_if(std::begin(calibrations), std::end(calibrations), [&](const Calibration& known) {
+    return name.find(known.folder) != std::string::npos;
+  });
+  return {c.fx, c.fy, c.cx, c.cy, size.width, size.height, 0};
+}
+
+/// A line with a time and what belongs to it.
+struct Stamped {
+  double time = 0;
+  std::vector<std::string> fields;
+};
+
+/// Lines `time field field ...` in the order of time; those that begin with # are comments.
+std::vector<Stamped> read_stamped(const fs::path& path, std::size_t fields) {
+  std::vector<Stamped> rows;
+  int line_number = 0;
+  for (const std::string& line : read_lines(path)) {
+    ++line_number;
+    std::vector<std::string> all = words(line);
+    if (all.empty() || all[0][0] == '#') continue;
+    const std::optional<double> time = parse_number(all[0]);
+    const std::string where = path.string() + ": line " + std::to_string(line_number);
+    if (!time || all.size() != fields + 1)
+      throw FileError(where + " must be a time and " + std::to_string(fields) + (fields == 1 ? " name" : " numbers"));
+    if (!rows.empty() && !(*time > rows.back().time)) throw FileError(where + ": times must increase");
+    rows.push_back({*time, {all.begin() + 1, all.end()}});
+  }
+  return rows;
+}
+
+/// The last row at or before a time, and the one after it.
+using Neighbours = std::pair<std::vector<Stamped>::const_iterator, std::vector<Stamped>::const_iterator>;
+Neighbours around(const std::vector<Stamped>& rows, double time) {
+  const auto after =
+      std::upper_bound(rows.begin(), rows.end(), time, [](double t, const Stamped& row) { return t < row.time; });
+  return {after == rows.begin() ? rows.end() : after - 1, after};
+}
+
+/// The image of the nearest time; empty when that is too far away.
+fs::path depth_image(const std::vector<Stamped>& depths, double time, const fs::path& folder) {
+  const auto [before, after] = around(depths, time);
+  auto nearest = before;
+  if (before == depths.end() || (after != depths.end() && after->time - time < time - before->time)) nearest = after;
+  if (nearest == depths.end() || std::abs(nearest->time - time) > same_time) return {};
+  return folder / nearest->fields[0];
+}
+
+dot::SE3d pose(const Stamped& row, const fs::path& path) {
+  double v[7] = {};
+  for (std::size_t i = 0; i < 7; ++i) {
+    const std::optional<double> number = parse_number(row.fields[i]);
+    if (!number) throw FileError(path.string() + ": '" + row.fields[i] + "' is not a number");
+    v[i] = *number;
+  }
+  return {Eigen::Quaterniond(v[6], v[3], v[4], v[5]).normalized().toRotationMatrix(), {v[0], v[1], v[2]}};
+}
+
+void read_truth(const fs::path& path, std::vector<RecordingEntry>& entries) {
+  const std::vector<Stamped> rows = read_stamped(path, 7);
+  for (RecordingEntry& entry : entries) {
+    const auto [before, after] = around(rows, entry.timestamp);
+    if (before == rows.end() || after == rows.end() || after->time - before->time > longest_gap) continue;
+    const double share = (entry.timestamp - before->time) / (after->time - before->time);
+    const dot::SE3d T = dot::se3::interpolate(pose(*before, path), pose(*after, path), share);
+    entry.truth.camera = pose_from_row_major(T.row_major().data());
+  }
+}
+
+}  // namespace
+
+bool is_tum_rgbd(const fs::path& folder) { return fs::exists(folder / "rgb.txt") && fs::exists(folder / "depth.txt"); }
+
+Recording read_tum_rgbd(const SequenceOptions& options) {
+  if (options.stereo) throw FileError(options.folder.string() + ": a TUM RGB-D recording has no stereo pair");
+  const std::vector<Stamped> depths = read_stamped(options.folder / "depth.txt", 1);
+  Recording recording;
+  recording.layout = "TUM RGB-D";
+  recording.depth_source = dot::DepthSource::Rgbd;
+  recording.depth_units_per_metre = depth_units_per_metre;
+  int number = 0;
+  for (const Stamped& image : read_stamped(options.folder / "rgb.txt", 1)) {
+    RecordingEntry entry;
+    entry.number = number++;
+    entry.timestamp = image.time;
+    entry.image = options.folder / image.fields[0];
+    entry.depth = depth_image(depths, image.time, options.folder);
+    if (!entry.depth.empty()) recording.entries.push_back(entry);
+  }
+  if (recording.entries.empty())
+    throw FileError((options.folder / "rgb.txt").string() + ": no image has a depth image of its time");
+  recording.intrinsics = intrinsics(options.folder, read_image(recording.entries[0].image).size());
+  list_masks(options, recording.entries);
+  const fs::path truth = options.folder / "groundtruth.txt";
+  if (options.truth && fs::exists(truth)) read_truth(truth, recording.entries);
+  return recording;
+}
+
+}  // namespace runner

@@ -14,6 +14,9 @@ cv::Mat read_image(const std::filesystem::path& path);
 /// Like read_image, and checks the size.
 cv::Mat read_image(const std::filesystem::path& path, cv::Size size);
 
+/// Like read_image, but of a PNG file with a palette the indices themselves, CV_8UC1, whatever their colours.
+cv::Mat read_indices(const std::filesystem::path& path, cv::Size size);
+
 /// Writes a PNG file.
 /// @throws FileError when that fails.
 void write_image(const std::filesystem::path& path, const cv::Mat& image);

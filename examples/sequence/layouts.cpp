@@ -3,12 +3,20 @@
 #include "layouts.hpp"
 
 #include "errors.hpp"
+#include "kitti_odometry.hpp"
+#include "kitti_raw.hpp"
 #include "own_layout.hpp"
+#include "tum_rgbd.hpp"
+#include "vkitti2.hpp"
 
 namespace runner {
 
 Recording open_recording(const SequenceOptions& options) {
   if (!std::filesystem::is_directory(options.folder)) throw FileError(options.folder.string() + ": no such folder");
+  if (is_tum_rgbd(options.folder)) return read_tum_rgbd(options);
+  if (is_vkitti2(options.folder)) return read_vkitti2(options);
+  if (is_kitti_odometry(options.folder)) return read_kitti_odometry(options);
+  if (is_kitti_raw(options.folder)) return read_kitti_raw(options);
   // Last, and without a question: its messages say what a folder that is nothing else lacks.
   return read_own_layout(options);
 }

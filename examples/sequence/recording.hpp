@@ -5,9 +5,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <map>
-#include <opencv2/core.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,7 +54,7 @@ struct RecordingEntry {
   std::filesystem::path image;
   std::filesystem::path depth;      ///< 16 bit
   std::filesystem::path right;      ///< of the rectified stereo pair
-  std::filesystem::path masks;      ///< empty: no segmentation of this frame
+  std::filesystem::path masks;      ///< image of ids, grey or palette; empty: no segmentation of this frame
   std::filesystem::path instances;  ///< list of id,class,score; may be empty
   TruthEntry truth;
 };
@@ -67,9 +65,6 @@ struct Recording {
   dot::DepthSource depth_source = dot::DepthSource::Unknown;
   double depth_units_per_metre = 256;
   std::vector<RecordingEntry> entries;  ///< at least one, by increasing time
-  /// Ids (CV_8UC1, CV_16UC1 or CV_32SC1) from an image of masks or instances as it is read; empty: they are ids
-  /// already.
-  std::function<cv::Mat(const cv::Mat&)> decode_ids;
 };
 
 /// Line of a per-frame file for the frame at `index` of `frames`: files hold a line for each image, or, where the

@@ -102,9 +102,8 @@ SequenceFrame Sequence::read(int index) {
 }
 
 cv::Mat Sequence::read_ids(const fs::path& path) const {
-  cv::Mat ids = read_image(path, image_size());
-  if (recording_.decode_ids) ids = recording_.decode_ids(ids);
-  if (ids.type() != CV_8UC1 && ids.type() != CV_16UC1 && ids.type() != CV_32SC1)
+  cv::Mat ids = read_indices(path, image_size());
+  if (ids.type() != CV_8UC1 && ids.type() != CV_16UC1)
     throw FileError(path.string() + ": must be an 8-bit or 16-bit grey image of ids");
   return ids;
 }

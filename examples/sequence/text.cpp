@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -65,6 +66,34 @@ std::vector<std::vector<double>> read_table(const std::filesystem::path& path, s
     if (row.size() != columns)
       throw FileError(path.string() + ": line " + std::to_string(line_number) + " has " + std::to_string(row.size()) +
                       " numbers, must have " + std::to_string(columns));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<std::vector<double>> read_columns(const std::filesystem::path& path,
+                                              const std::vector<std::string>& names) {
+  const std::vector<std::string> lines = read_lines(path);
+  const std::vector<std::string> header = words(lines.empty() ? "" : lines[0]);
+  std::vector<std::size_t> columns;
+  for (const std::string& name : names) {
+    const auto found = std::find(header.begin(), header.end(), name);
+    if (found == header.end()) throw FileError(path.string() + ": line 1 has no column '" + name + "'");
+    columns.push_back(static_cast<std::size_t>(found - header.begin()));
+  }
+  std::vector<std::vector<double>> rows;
+  for (std::size_t line = 1; line < lines.size(); ++line) {
+    const std::vector<std::string> fields = words(lines[line]);
+    if (fields.empty()) continue;
+    std::vector<double> row;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::string text = columns[i] < fields.size() ? fields[columns[i]] : "";
+      const std::optional<double> number = text == "True" ? 1 : text == "False" ? 0 : parse_number(text);
+      if (!number)
+        throw FileError(path.string() + ": line " + std::to_string(line + 1) + ": " + names[i] + " '" + text +
+                        "' is not a number");
+      row.push_back(*number);
+    }
     rows.push_back(std::move(row));
   }
   return rows;

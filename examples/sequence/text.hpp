@@ -29,6 +29,11 @@ std::vector<std::string> read_lines(const std::filesystem::path& path);
 /// @throws FileError naming the line that is different.
 std::vector<std::vector<double>> read_table(const std::filesystem::path& path, std::size_t columns);
 
+/// A table whose first line names its columns, separated by white space: the columns asked for, of all other lines.
+/// True and False count as 1 and 0.
+/// @throws FileError naming the column that is missing or the line that is wrong.
+std::vector<std::vector<double>> read_columns(const std::filesystem::path& path, const std::vector<std::string>& names);
+
 /// Name of a frame's file, "000012.png".
 std::string frame_name(int number, const char* extension = ".png");
 

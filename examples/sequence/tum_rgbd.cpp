@@ -96,9 +96,12 @@ void read_truth(const fs::path& path, std::vector<RecordingEntry>& entries) {
   const std::vector<Stamped> rows = read_stamped(path, 7);
   for (RecordingEntry& entry : entries) {
     const auto [before, after] = around(rows, entry.timestamp);
-    if (before == rows.end() || after == rows.end() || after->time - before->time > longest_gap) continue;
-    const double share = (entry.timestamp - before->time) / (after->time - before->time);
-    const dot::SE3d T = dot::se3::interpolate(pose(*before, path), pose(*after, path), share);
+    if (before == rows.end()) continue;
+    dot::SE3d T = pose(*before, path);
+    if (before->time < entry.timestamp) {
+      if (after == rows.end() || after->time - before->time > longest_gap) continue;
+      T = dot::se3::interpolate(T, pose(*after, path), (entry.timestamp - before->time) / (after->time - before->time));
+    }
     entry.truth.camera = pose_from_row_major(T.row_major().data());
   }
 }

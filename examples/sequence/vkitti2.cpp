@@ -37,6 +37,15 @@ const Eigen::Matrix4d& of_frame(const std::map<int, Eigen::Matrix4d>& poses, int
   return found->second;
 }
 
+/// Metres from camera 0 to camera 1 at one frame; 0 without camera 1.
+double baseline(const fs::path& extrinsics, int frame) {
+  const std::map<int, Eigen::Matrix4d> right = read_extrinsics(extrinsics, 1);
+  if (right.empty()) return 0;
+  const Eigen::Matrix4d T_right_left =
+      of_frame(right, frame, extrinsics) * of_frame(read_extrinsics(extrinsics, 0), frame, extrinsics).inverse();
+  return -T_right_left(0, 3);
+}
+
 dot::Intrinsics read_intrinsics(const fs::path& path, cv::Size size) {
   for (const std::vector<double>& row : read_columns(path, {"cameraID", "K[0,0]", "K[1,1]", "K[0,2]", "K[1,2]"})) {
     if (row[0] == 0 && row[1] > 0 && row[2] > 0) return {row[1], row[2], row[3], row[4], size.width, size.height, 0};
@@ -113,16 +122,12 @@ Recording read_vkitti2(const SequenceOptions& options) {
   recording.layout = "Virtual KITTI 2";
   recording.depth_units_per_metre = depth_units_per_metre;
   recording.entries = list_images(frames / "rgb" / "Camera_0", "rgb_");
-  const int first = recording.entries[0].number;
   recording.intrinsics =
       read_intrinsics(options.folder / "intrinsic.txt", read_image(recording.entries[0].image).size());
+  recording.intrinsics.baseline = baseline(extrinsics, recording.entries[0].number);
   if (options.stereo) {
-    // Both are T_camera_world: the right camera lies at -baseline times x in the left one's coordinates.
-    const Eigen::Matrix4d T_right_left = of_frame(read_extrinsics(extrinsics, 1), first, extrinsics) *
-                                         of_frame(read_extrinsics(extrinsics, 0), first, extrinsics).inverse();
-    recording.intrinsics.baseline = -T_right_left(0, 3);
     if (!(recording.intrinsics.baseline > 0))
-      throw FileError(extrinsics.string() + ": camera 1 must be right of camera 0");
+      throw FileError(extrinsics.string() + ": camera 1 must be right of camera 0 for stereo");
     recording.depth_source = dot::DepthSource::Stereo;
   }
   const bool own_masks = list_masks(options, recording.entries);

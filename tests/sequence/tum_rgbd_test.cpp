@@ -71,6 +71,8 @@ TEST(TumRgbd, TruePosesAreInterpolated) {
   EXPECT_NEAR(T(1, 3), 2, 1e-9);
   EXPECT_NEAR(T(0, 3), 1.5, 0.01);
   EXPECT_FALSE(recording.entries[1].truth.camera.has_value()) << "in a gap of the truth";
+  folder.text("groundtruth.txt", "9.5 1 2 3 0 0 0 1\n10.06 2 2 3 0 0 0 1\n");
+  EXPECT_EQ((*folder.open().entries[1].truth.camera)(0, 3), 2) << "at the very time of the last line";
 }
 
 TEST(TumRgbd, ErrorsNameFileAndLine) {

@@ -48,6 +48,8 @@ TEST(Vkitti2, CameraDepthAndFiles) {
   EXPECT_EQ(recording.intrinsics.fx, 725);
   EXPECT_EQ(recording.intrinsics.fy, 726);
   EXPECT_EQ(recording.intrinsics.width, 6);
+  EXPECT_DOUBLE_EQ(recording.intrinsics.baseline, 0.5);
+  EXPECT_EQ(recording.depth_source, dot::DepthSource::Unknown);
   ASSERT_EQ(recording.entries.size(), 2u);
   EXPECT_EQ(recording.entries[1].number, 1);
   EXPECT_DOUBLE_EQ(recording.entries[1].timestamp, 0.1);
@@ -66,7 +68,6 @@ TEST(Vkitti2, StereoAndNetworkMasksOnRequest) {
   runner::SequenceOptions options = folder.options();
   options.stereo = true;
   const runner::Recording recording = runner::open_recording(options);
-  EXPECT_DOUBLE_EQ(recording.intrinsics.baseline, 0.5);
   EXPECT_EQ(recording.depth_source, dot::DepthSource::Stereo);
   EXPECT_EQ(recording.entries[0].right, folder.path() / "frames/rgb/Camera_1/rgb_00000.jpg");
   EXPECT_TRUE(recording.entries[0].depth.empty());
@@ -107,6 +108,9 @@ TEST(Vkitti2, ErrorsNameFileAndLine) {
               "frame cameraID r1,1 r1,2 r1,3 t1 r2,1 r2,2 r2,3 t2 r3,1 r3,2 r3,3 t3 0 0 0 1\n"
               "0 0 1 0 0 0 0 1 0 0 0 0 1 -10 0 0 0 1\n");
   EXPECT_EQ(folder.complaint(), (folder.path() / "extrinsic.txt").string() + ": has no line for frame 1");
+  runner::SequenceOptions stereo = folder.options();
+  stereo.stereo = true;
+  EXPECT_THROW(runner::open_recording(stereo), runner::FileError) << "without a second camera";
 }
 
 }  // namespace

@@ -12,8 +12,9 @@ const char* const own_usage =
 
 Labels the objects of a recorded sequence as static, moving or not observable.
 
-SEQ holds rgb/, depth/ or right/, masks/ and intrinsics.txt. OUT receives labels/, instances/,
-camera.txt, objects.csv and timing.csv.
+SEQ holds rgb/, depth/ or right/, masks/ and intrinsics.txt, or is a recording of KITTI, Virtual KITTI 2
+or TUM RGB-D, see docs/recordings.md. OUT receives labels/, instances/, camera.txt, objects.csv and
+timing.csv.
 
   --out OUT                 folder for the results, made if it does not exist
   --mask-every K            use only the masks of frames 0, K, 2K, ... (default 1)

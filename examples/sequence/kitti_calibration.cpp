@@ -35,7 +35,7 @@ std::vector<double> read_calibration(const std::filesystem::path& path, const st
     if (fields.empty() || fields[0] != heading) continue;
     const std::string where = path.string() + ": line " + std::to_string(line_number);
     if (fields.size() != count + 1)
-      throw FileError(where + ": " + key + " has " + std::to_string(fields.size() - 1) + " numbers, must have " +
+      throw FileError(where + " has " + std::to_string(fields.size() - 1) + " numbers, must have " +
                       std::to_string(count));
     std::vector<double> numbers;
     for (std::size_t i = 1; i < fields.size(); ++i) {

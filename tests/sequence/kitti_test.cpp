@@ -100,7 +100,7 @@ TEST(KittiOdometry, ErrorsNameFileAndLine) {
   folder.text("calib.txt", "P2: 100 0 3 6 0 100 2 0 0 0 1 0\n");
   EXPECT_EQ(folder.complaint(), calib + ": has no line 'P3:'");
   folder.text("calib.txt", "P2: 100 0 3 6 0 100 2 0 0 0 1 0\nP3: 100 0 3\n");
-  EXPECT_EQ(folder.complaint(), calib + ": line 2: P3 has 3 numbers, must have 12");
+  EXPECT_EQ(folder.complaint(), calib + ": line 2 has 3 numbers, must have 12");
   folder.text("calib.txt", "P2: 100 0 3 6 0 100 2 0 0 0 1 x\n");
   EXPECT_EQ(folder.complaint(), calib + ": line 1: 'x' is not a number");
   folder.text("calib.txt", with_prefix("P"));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -16,16 +17,17 @@ DOT_BEGIN_NAMESPACE
 /// Belief that an object moves, over time: the log odds of *moves* against *stands*, and a Kalman filter of the
 /// velocity that the object has if it moves.
 ///
-///     stands: v ~ 0.8 N(0, V + (0.35 v0)^2) + 0.2 N(0, 6 V + (0.35 v0)^2)
+///     stands: v ~ N(0, V + (0.35 v0)^2)
 ///     moves:  v ~ N(m, P + V), the filter's prediction, mixed with a fresh prior of any velocity
 ///
-/// The tail of *stands* is that of real fits: one in five is worse than its covariance says, by reflections, half
-/// hidden outlines or a slope in the depth's error. Both carry a small share of a broad outlier class. The fresh prior
-/// is a mixture: slow and fast, in any direction, and along the direction that the fit determines least. Without the
-/// last, an object whose sideways velocity is well measured and zero would count as standing though it may well come
-/// straight towards the camera, as traffic does. What the prior credits to speeds inside |v| <= v0 is taken away again:
-/// such an object does not move. A Bayes factor of proper densities does not drift to *moves* where the velocity is
-/// poorly measured, which a ratio of maximum likelihoods does.
+/// The errors of real fits have tails: one in five is worse than its covariance says, by reflections, half hidden
+/// outlines or a slope in the depth's error. So V stands for the mixture 0.8 V + 0.2 (6 V) in both. Both carry a small
+/// share of a broad outlier class. The fresh prior is a mixture: slow and fast, in any direction, and along the
+/// direction that the fit determines least. Without the last, an object whose sideways velocity is well measured and
+/// zero would count as standing though it may well come straight towards the camera, as traffic does. What the prior
+/// credits to speeds inside |v| <= v0 is taken away again: such an object does not move. A Bayes factor of proper
+/// densities does not drift to *moves* where the velocity is poorly measured, which a ratio of maximum likelihoods
+/// does.
 struct Belief {
   double log_odds = 0;
   Vector3<double> velocity = Vector3<double>::Zero();    ///< if it moves; m/s, axes of the newest camera
@@ -53,22 +55,22 @@ struct Belief {
     const double speed2 = sq(s.prior_speed * v0 / s.v0);  // near things are slow things on tables, far ones vehicles
     const double outlier = s.outliers * density(v, V + 36 * speed2 * I);
 
-    const double still = sq(0.35 * v0);
-    const double stands = (1 - s.outliers) * ((1 - s.tail_share) * density(v, V + still * I) +
-                                              s.tail_share * density(v, s.tail_variance * V + still * I)) +
-                          outlier;
-    const Eigen::SelfAdjointEigenSolver<Matrix3<double>> eigen(V);
-    const Vector3<double> u = eigen.eigenvectors().col(2);
-    const Matrix3<double> weakest = u * u.transpose();
     const Vector3<double> zero = Vector3<double>::Zero();
-    double moves_fresh = 0;
-    for (const double scale : {1.0, 25.0}) {  // variances of ordinary and of motorway speed
-      const Matrix3<double> any = scale * speed2 * I;
-      const Matrix3<double> pencil = scale * speed2 * weakest + sq(v0) * I;
-      moves_fresh += 0.25 * (hypothesis(v, V, zero, any, v0) + hypothesis(v, V, zero, pencil, v0));
+    const Vector3<double> weakest = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(V).eigenvectors().col(2);
+    // Both hypotheses with errors as stated, and with those of a bad fit.
+    double stands = 0, moves = 0;
+    for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, V},
+                                   std::pair<double, Matrix3<double>>{s.tail_share, s.tail_variance * V}}) {
+      stands += share * density(v, S + sq(0.35 * v0) * I);
+      double fresh = 0;
+      for (const double scale : {1.0, 25.0}) {  // variances of ordinary and of motorway speed
+        const Matrix3<double> any = scale * speed2 * I;
+        const Matrix3<double> pencil = scale * speed2 * weakest * weakest.transpose() + sq(v0) * I;
+        fresh += 0.25 * (hypothesis(v, S, zero, any, v0) + hypothesis(v, S, zero, pencil, v0));
+      }
+      moves += share * (has_velocity() ? 0.9 * hypothesis(v, S, velocity, covariance, v0) + 0.1 * fresh : fresh);
     }
-    double moves = moves_fresh;
-    if (has_velocity()) moves = 0.9 * hypothesis(v, V, velocity, covariance, v0) + 0.1 * moves_fresh;
+    stands = (1 - s.outliers) * stands + outlier;
     moves = (1 - s.outliers) * moves + outlier;
 
     const double cap = std::min(s.max_evidence_rate * e.interval / e.intervals, s.max_evidence);

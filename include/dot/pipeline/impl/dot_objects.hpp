@@ -93,8 +93,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
         object_estimator.fit(older, scene, {start}, current_.timestamp - older.timestamp, depth_noise, aligner);
     if (!long_fit.ok()) continue;
     decide_by(older, long_fit.motion);
-    const ObjectFit last = object_estimator.over_last_interval(long_fit, T_c.inverse() * older.T_cur_ref, current_.dt);
-    if (object.fit.ok() && last.motion.covariance.trace() < object.fit.motion.covariance.trace()) object.fit = last;
+    const ObjectFit shared =
+        object_estimator.over_last_interval(long_fit, T_c.inverse() * older.T_cur_ref, current_.dt);
+    if (object.fit.ok() && shared.motion.covariance.trace() < object.fit.motion.covariance.trace()) object.fit = shared;
   }
 }
 

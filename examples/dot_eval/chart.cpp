@@ -65,9 +65,11 @@ struct Area {
   std::string axis() const {
     const double step = tick_step(high - low, ticks);
     std::string svg;
-    for (double value = std::ceil(low / step - 1e-9) * step; value <= high * (1 + 1e-9); value += step) {
-      svg += segment(left, y(value), right, y(value), std::abs(value) < step / 2 ? "axis" : "tick");
-      svg += text(left - 6, y(value) + 4, "end", tick_text(std::abs(value) < step / 2 ? 0 : value));
+    const int first = static_cast<int>(std::ceil(low / step - 1e-9));
+    const int last = static_cast<int>(std::floor(high / step + 1e-9));
+    for (int i = first; i <= last; ++i) {
+      svg += segment(left, y(i * step), right, y(i * step), i == 0 ? "axis" : "tick");
+      svg += text(left - 6, y(i * step) + 4, "end", tick_text(i * step));
     }
     return svg;
   }
@@ -175,8 +177,9 @@ std::string lines(const ChartSize& size, const std::vector<double>& x, const std
   const double span = std::max(1.0, x.back() - x.front());
   const auto x_of = [&](double value) { return area.left + (value - x.front()) / span * (area.right - area.left); };
   const double step = std::max(1.0, tick_step(span, 5));
-  for (double value = std::ceil(x.front() / step) * step; value <= x.back(); value += step)
-    svg += text(x_of(value), area.bottom + 16, "middle", tick_text(value));
+  const int last = static_cast<int>(x.back() / step);
+  for (int i = static_cast<int>(std::ceil(x.front() / step)); i <= last; ++i)
+    svg += text(x_of(i * step), area.bottom + 16, "middle", tick_text(i * step));
 
   for (auto s = series.rbegin(); s != series.rend(); ++s) {
     std::string points;

@@ -21,9 +21,12 @@ constexpr std::size_t rate_colours = 6;
 
 std::string style() {
   std::string css = page_style;
-  for (const std::string name : colour_names)
-    css += "rect." + name + " { fill: var(--" + name + "); } polyline." + name + " { stroke: var(--" + name +
-           "); } i." + name + " { background: var(--" + name + "); }\n";
+  for (const std::string name : colour_names) {
+    const std::string colour = "var(--" + name + "); }";
+    css += "rect." + name + " { fill: " + colour;
+    css += " polyline." + name + " { stroke: " + colour;
+    css += " i." + name + " { background: " + colour + '\n';
+  }
   return css;
 }
 

@@ -52,6 +52,7 @@ std::vector<LatencyEvent> decision_latency(const std::vector<Sighting>& sighting
 
 double median_latency(const std::vector<LatencyEvent>& events) {
   std::vector<double> seconds;
+  seconds.reserve(events.size());
   for (const LatencyEvent& event : events)
     seconds.push_back(event.seconds.value_or(std::numeric_limits<double>::infinity()));
   return median(std::move(seconds));

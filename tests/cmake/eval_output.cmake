@@ -32,6 +32,13 @@ if(precision LESS 0.9 OR error GREATER 1)
   message(FATAL_ERROR "precision ${precision}, camera error ${error} cm a frame")
 endif()
 
+# What no mask shows is not found, unless discovery is on.
+string(JSON movers GET "${json}" runs 0 hidden_movers movers)
+string(JSON found GET "${json}" runs 0 hidden_movers found_share)
+if(NOT movers EQUAL 1 OR found GREATER 0.5)
+  message(FATAL_ERROR "${movers} hidden movers, of whose pixels ${found} are found")
+endif()
+
 # Every tag is closed by its own kind. Brackets and semicolons mean something to CMake's lists.
 file(READ "${OUT}/eval.html" html)
 string(REGEX REPLACE "[][;]" " " html "${html}")

@@ -23,7 +23,7 @@ void CommandLine::parse(int count, const char* const* values,
     } else if (const auto option = options_.find(name); option != options_.end()) {
       if (equals == std::string::npos && i + 1 == count) throw UsageError(name + " needs a value");
       option->second(name, equals == std::string::npos ? values[++i] : argument.substr(equals + 1));
-    } else if (argument.rfind("-", 0) == 0) {
+    } else if (argument.rfind('-', 0) == 0) {
       throw UsageError("unknown option '" + argument + "'");
     } else {
       positional(argument);

@@ -227,8 +227,8 @@ struct ObjectMotionEstimator {
       V += variance * x * x.transpose();
     };
     add(a.depth_modes[0], common * common + 60 * pixel * pixel / std::max(60, reference.area));
-    add(a.depth_modes[1], 0.1 * common * common);
-    add(a.depth_modes[2], 0.1 * common * common);
+    add(a.depth_modes[1], 0.06 * common * common);
+    add(a.depth_modes[2], 0.06 * common * common);
     add(a.depth_modes[3], change * change);
     return V + velocity.camera_scale * camera_share(reference.camera_covariance, reference.T_cur_ref,
                                                     Vector3<double>(reference.T_cur_ref * moved));

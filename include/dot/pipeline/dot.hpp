@@ -12,6 +12,7 @@
 #include "dot/camera/pinhole.hpp"
 #include "dot/image/convert.hpp"
 #include "dot/mask/association.hpp"
+#include "dot/mask/grow.hpp"
 #include "dot/motion/classifier.hpp"
 #include "dot/pipeline/camera_motion.hpp"
 #include "dot/pipeline/depth_learning.hpp"
@@ -103,6 +104,7 @@ class Dot {
   void decide(TrackT& object);
   void place_masks();
   void label();
+  double depth_tolerance(double q) const;
   void make_references();
   void write_result(const Frame& frame);
   void take_time(Stage stage);
@@ -121,6 +123,8 @@ class Dot {
   std::deque<TrackT> tracks_;
   std::vector<Observed> observed_;
   bool segmented_ = false;
+  SegmentedFrame segmented_frame_;  ///< the last one
+  SE3d T_cur_segmented_;            ///< camera motion since
   Image<std::uint8_t> nearer_;  ///< where objects nearer than the one being followed were found
 
   Image<std::uint8_t> labels_;
@@ -130,6 +134,7 @@ class Dot {
 
   TemplateWorkspace template_workspace_;
   WarpWorkspace warp_workspace_;
+  GrowWorkspace grow_workspace_;
   SplitWorkspace split_workspace_;
   std::vector<std::pair<std::uint32_t, Mask>> split_;
   Image<std::uint8_t> blocked_;

@@ -24,6 +24,7 @@ struct Track {
   // Its outline: the last mask that a network gave, and where that is now.
   MaskTemplate outline;
   SE3d T_cur_outline;              ///< composed motion of the object's points since then
+  bool outline_is_newest = false;  ///< it is of the last frame that was segmented
   WarpedMask predicted;            ///< in this frame, by the predicted or the fitted motion
   Mask mask;                       ///< what is shown in this frame
   const Mask* observed = nullptr;  ///< this frame's network mask, if one was associated; valid during `track`

@@ -16,6 +16,7 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Dot<Camera, Classifier, Noise, Aligner>::predict_tracks() {
   tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), [](const TrackT& t) { return t.lost; }), tracks_.end());
   const CameraState& c = camera_state_;
+  T_cur_segmented_ = c.T_cur_prev * T_cur_segmented_;
   const Matrix6<double> Ad = c.T_cur_prev.adjoint();
   for (TrackT& t : tracks_) {
     t.segmented = false;
@@ -123,8 +124,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
                          t.outline))
         make_flat_template(t.mask, q, t.outline);
       t.T_cur_outline = {};
+      t.outline_is_newest = true;
       t.visible = true;
     } else {
+      if (segmented_) t.outline_is_newest = false;
       t.mask = t.predicted.mask;
       t.visible = t.mask.area >= options_.mask.min_pixels;
     }
@@ -156,6 +159,14 @@ void Dot<Camera, Classifier, Noise, Aligner>::start_tracks() {
   }
 }
 
+/// Within which inverse depths of one surface agree, measured in two frames: relative, three sigmas.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+double Dot<Camera, Classifier, Noise, Aligner>::depth_tolerance(double q) const {
+  const double sigma = std::max(std::hypot(depth_noise.pixel(q), depth_noise.common(q)),
+                                std::hypot(depth_noise.prior_pixel(q), depth_noise.prior_common(q)));
+  return std::min(3 * std::sqrt(2.0) * sigma / q, options_.mask.depth_tolerance);
+}
+
 /// Label and id image: far to near, predicted masks below those that the network saw in this frame.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::label() {
@@ -172,14 +183,28 @@ void Dot<Camera, Classifier, Noise, Aligner>::label() {
     for (int y = 0; y < t->mask.height(); ++y)
       for (int x = 0; x < t->mask.width(); ++x) {
         if (!t->mask.pixels(x, y)) continue;
-        labels_(t->mask.x + x, t->mask.y + y) = static_cast<std::uint8_t>(t->state);
         ids_(t->mask.x + x, t->mask.y + y) = t->id;
       }
+  // Near to far, so that what is nearer grows first.
   Mask shown;
-  for (TrackT* t : order) {
-    crop_ids<std::uint32_t>(ids_.view(), t->id, t->mask.box(), shown);
-    std::swap(shown, t->mask);
-    t->visible = !t->mask.empty();
+  for (auto i = order.rbegin(); i != order.rend(); ++i) {
+    TrackT& t = **i;
+    std::array<int, 4> box = t.mask.box();
+    if (!t.observed && t.outline_is_newest && t.fit.ok() && camera_state_.known())
+      grow(segmented_frame_, t.T_cur_outline.inverse(), T_cur_segmented_.inverse(), camera_,
+           current_.inverse_depth().view(), t.id, [this](double q) { return depth_tolerance(q); }, grow_workspace_,
+           ids_, box);
+    crop_ids<std::uint32_t>(ids_.view(), t.id, box, shown);
+    std::swap(shown, t.mask);
+    t.visible = !t.mask.empty();
+    for (int y = 0; y < t.mask.height(); ++y)
+      for (int x = 0; x < t.mask.width(); ++x)
+        if (t.mask.pixels(x, y)) labels_(t.mask.x + x, t.mask.y + y) = static_cast<std::uint8_t>(t.state);
+  }
+  if (segmented_) {
+    segmented_frame_.inverse_depth = current_.inverse_depth();
+    segmented_frame_.ids = ids_;
+    T_cur_segmented_ = {};
   }
 }
 

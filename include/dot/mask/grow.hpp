@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "dot/camera/concept.hpp"
+#include "dot/image/image.hpp"
+#include "dot/image/view.hpp"
+#include "dot/lie/se3.hpp"
+#include "dot/mask/mask.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// What the last segmentation saw: against it later pixels are told to be new.
+struct SegmentedFrame {
+  Image<float> inverse_depth;  ///< 1/m, <= 0 or not finite = no measurement
+  Image<std::uint32_t> ids;    ///< of the objects shown there, 0 = background
+};
+
+/// Buffers of `grow`.
+struct GrowWorkspace {
+  struct Pixel {
+    int x, y;
+    float q;  ///< 1/m, its own or, without measurement, its neighbour's
+  };
+  std::vector<Pixel> front;
+};
+
+namespace growing {
+
+/// What the segmented frame says of a point, given where it would have been.
+enum class Then : std::uint8_t {
+  Unseen,    ///< out of the image, or behind something: it may be new
+  SameId,    ///< on the object
+  Empty,     ///< one looked through there: the point was elsewhere
+  Confirmed  ///< a surface was there that is not the object's
+};
+
+/// @param tolerance of inverse depths, relative
+template <typename Camera>
+Then then(const SegmentedFrame& frame, const SE3f& T_then_cur, const Camera& camera, const Vector3<float>& ray, float q,
+          float tolerance, std::uint32_t id) {
+  const Vector3<float> X = T_then_cur.R * ray + T_then_cur.t * q;
+  if (!(X.z() > 1e-3f)) return Then::Unseen;
+  const Vector2<float> p = camera.project(X);
+  if (!(p.x() > -0.5f && p.y() > -0.5f && p.x() < static_cast<float>(camera.width()) - 0.5f &&
+        p.y() < static_cast<float>(camera.height()) - 0.5f))
+    return Then::Unseen;
+  const int x = static_cast<int>(p.x() + 0.5f), y = static_cast<int>(p.y() + 0.5f);
+  if (frame.ids(x, y) == id) return Then::SameId;
+  const float expected = q / X.z(), measured = frame.inverse_depth(x, y);
+  if (!(measured > 0) || !std::isfinite(measured)) return frame.ids(x, y) ? Then::Unseen : Then::Confirmed;
+  if (measured > expected * (1 + tolerance)) return Then::Unseen;
+  return measured < expected * (1 - tolerance) ? Then::Empty : Then::Confirmed;
+}
+
+}  // namespace growing
+
+/// Grows an object's pixels in `ids` into parts of it that the last segmentation could not see: what has come in over
+/// the image border since, or out from behind something.
+///
+/// A free pixel (id 0) beside the object joins it when
+/// - its inverse depth continues the neighbour's,
+/// - it was unseen in the segmented frame if it moved with the object, out of the image or hidden. Where it would have
+///   been visible the segmentation has already said that it is not the object's;
+/// - it was not there if it stands: one looked through, or at the object. So the ground, walls and whatever else the
+///   segmented frame shows stays out, and standing objects, for which both motions are the same, do not grow.
+/// @param T_seg_object motion of the object's points from the current camera to the segmented frame's
+/// @param T_seg_static the camera's alone
+/// @param tolerance    of an inverse depth q, relative: tolerance(q)
+/// @param box          x, y, width, height of the object's pixels; grows with them
+/// @return pixels gained.
+template <typename Camera, typename Tolerance>
+int grow(const SegmentedFrame& segmented, const SE3d& T_seg_object, const SE3d& T_seg_static, const Camera& camera,
+         ImageView<const float> inverse_depth, std::uint32_t id, Tolerance&& tolerance, GrowWorkspace& workspace,
+         Image<std::uint32_t>& ids, std::array<int, 4>& box) {
+  static_assert(is_camera_v<Camera>, DOT_CAMERA_MESSAGE);
+  const SE3f T_object = T_seg_object.template cast<float>(), T_static = T_seg_static.template cast<float>();
+  constexpr std::array<std::array<int, 2>, 4> sides{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+  const auto measured = [&](int x, int y) {
+    const float q = inverse_depth(x, y);
+    return std::isfinite(q) && q > 0 ? q : 0.0f;
+  };
+
+  auto& front = workspace.front;
+  front.clear();
+  for (int y = box[1]; y < box[1] + box[3]; ++y)
+    for (int x = box[0]; x < box[0] + box[2]; ++x) {
+      if (ids(x, y) != id) continue;
+      const float q = measured(x, y);
+      if (!(q > 0)) continue;
+      bool border = false;
+      for (const auto& [dx, dy] : sides) border |= ids.contains(x + dx, y + dy) && ids(x + dx, y + dy) == 0;
+      if (border) front.push_back({x, y, q});
+    }
+  int gained = 0;
+  int left = box[0], top = box[1], right = box[0] + box[2], bottom = box[1] + box[3];
+  while (!front.empty()) {
+    const GrowWorkspace::Pixel from = front.back();
+    front.pop_back();
+    for (const auto& [dx, dy] : sides) {
+      const int x = from.x + dx, y = from.y + dy;
+      if (!ids.contains(x, y) || ids(x, y) != 0) continue;
+      const float own = measured(x, y), q = own > 0 ? own : from.q;
+      const float limit = static_cast<float>(tolerance(q));
+      if (std::abs(q - from.q) > limit * from.q) continue;
+      const Vector3<float> ray =
+          camera.unproject(Vector2<float>(static_cast<float>(x), static_cast<float>(y)));
+      const auto moved = growing::then(segmented, T_object, camera, ray, q, limit, id);
+      if (moved == growing::Then::Empty || moved == growing::Then::Confirmed) continue;
+      const auto stood = growing::then(segmented, T_static, camera, ray, q, limit, id);
+      if (stood != growing::Then::Empty && stood != growing::Then::SameId) continue;
+      ids(x, y) = id;
+      ++gained;
+      left = std::min(left, x), right = std::max(right, x + 1);
+      top = std::min(top, y), bottom = std::max(bottom, y + 1);
+      front.push_back({x, y, q});
+    }
+  }
+  box = {left, top, right - left, bottom - top};
+  return gained;
+}
+
+DOT_END_NAMESPACE

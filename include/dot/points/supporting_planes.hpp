@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "dot/abi.hpp"
+#include "dot/camera/intrinsics.hpp"
+#include "dot/image/image.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// The planes on which a scene stands and which close it: road, floor, table, long walls. Of all planes those with most
+/// measurements on them and next to none behind them; no direction of "up" is assumed. A plane in space is linear in
+/// inverse depth over the image, q = a u + b v + c.
+class SupportingPlanes {
+ public:
+  static constexpr int kMaxPlanes = 3;
+  static constexpr double kShare = 0.1;    ///< of the measurements must lie on a plane ...
+  static constexpr double kBehind = 0.25;  ///< ... and at most this many, relative to those, behind it
+  static constexpr double kRise = 0.1;     ///< what rises less, relative to the nearest plane's distance, lies on it
+
+  /// @param q inverse depth, 0 = none. @param camera of this image. @param sigma (q) -> standard deviation of q.
+  /// @param use (x, y) -> bool: what may support a plane.
+  template <typename Sigma, typename Use>
+  void find(const Image<float>& q, const Intrinsics& camera, Sigma&& sigma, Use&& use) {
+    points_.clear();
+    for (int y = 0; y < q.height(); y += 2)
+      for (int x = (y / 2) % 2; x < q.width(); x += 2)
+        if (q(x, y) > 0 && use(x, y))
+          points_.push_back(
+              {static_cast<float>(x), static_cast<float>(y), q(x, y), static_cast<float>(sigma(q(x, y))), false});
+    const std::vector<Plane> before = planes_;
+    planes_.clear();
+    if (points_.size() < 50) return;
+    std::uint32_t random = 1;
+    while (static_cast<int>(planes_.size()) < kMaxPlanes && add_best(before, random)) {
+    }
+    set_rise(camera);
+  }
+
+  int count() const { return static_cast<int>(planes_.size()); }
+  void clear() { planes_.clear(); }
+
+  /// Whether a measurement lies on a plane, or behind it.
+  bool hold(int x, int y, float q, float sigma) const {
+    for (const Plane& plane : planes_) {
+      const float on = plane(static_cast<float>(x), static_cast<float>(y));
+      if (on > 0 && (q - on < 3 * sigma || q * (1 - plane.rise) < on)) return true;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr int kTrials = 100;
+  struct Point {
+    float x, y, q, sigma;
+    bool taken;  ///< by a plane found already
+  };
+  struct Plane {
+    float a = 0, b = 0, c = 0;
+    float rise = 0;  ///< of kRise, relative to this plane's distance
+    float operator()(float x, float y) const { return a * x + b * y + c; }
+  };
+
+  static float gate(const Point& p, float expected) { return std::max(2.5f * p.sigma, 0.03f * expected); }
+
+  bool add_best(const std::vector<Plane>& before, std::uint32_t& random) {
+    Plane best;
+    double most = 0;
+    const auto consider = [&](const Plane& plane) {
+      if (const double score = rate(plane); score > most) most = score, best = plane;
+    };
+    for (const Plane& plane : before) consider(plane);
+    const auto pick = [&]() -> const Point& {
+      random = random * 1664525u + 1013904223u;
+      return points_[static_cast<std::size_t>((std::uint64_t{random} * points_.size()) >> 32)];
+    };
+    for (int i = 0; i < kTrials; ++i) {
+      const Point &p = pick(), &r = pick(), &s = pick();
+      const float ux = r.x - p.x, uy = r.y - p.y, vx = s.x - p.x, vy = s.y - p.y, det = ux * vy - uy * vx;
+      if (p.taken || r.taken || s.taken || std::abs(det) < 100) continue;
+      Plane plane;
+      plane.a = ((r.q - p.q) * vy - (s.q - p.q) * uy) / det;
+      plane.b = ((s.q - p.q) * ux - (r.q - p.q) * vx) / det;
+      plane.c = p.q - plane.a * p.x - plane.b * p.y;
+      consider(plane);
+    }
+    if (most <= 0) return false;
+    refine(best);
+    refine(best);
+    for (Point& p : points_) {
+      const float expected = best(p.x, p.y);
+      p.taken |= expected > 0 && std::abs(p.q - expected) < gate(p, expected);
+    }
+    planes_.push_back(best);
+    return true;
+  }
+
+  /// Measurements on the plane and on no other less those behind it; 0 when it does not support the scene.
+  double rate(const Plane& plane) const {
+    int on = 0, behind = 0, count = 0;
+    const std::size_t step = std::max<std::size_t>(1, points_.size() / 500);
+    for (std::size_t i = 0; i < points_.size(); i += step) {
+      const Point& p = points_[i];
+      ++count;
+      const float expected = plane(p.x, p.y);
+      if (!(expected > 0)) continue;
+      const float d = p.q - expected, width = gate(p, expected);
+      on += !p.taken && std::abs(d) < width;
+      behind += d < -2 * width;
+    }
+    return on >= kShare * count && behind <= kBehind * on ? on - behind : 0;
+  }
+
+  /// Least squares over what lies on it.
+  void refine(Plane& plane) const {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0, sr = 0, sxr = 0, syr = 0;
+    for (const Point& p : points_) {
+      const float expected = plane(p.x, p.y);
+      if (p.taken || !(expected > 0) || std::abs(p.q - expected) > gate(p, expected)) continue;
+      const double x = p.x, y = p.y, r = p.q - expected;
+      const double w = 1 / (static_cast<double>(p.sigma) * static_cast<double>(p.sigma));
+      n += w, sx += w * x, sy += w * y, sxx += w * x * x, sxy += w * x * y, syy += w * y * y;
+      sr += w * r, sxr += w * x * r, syr += w * y * r;
+    }
+    const double cxx = sxx - sx * sx / n, cxy = sxy - sx * sy / n, cyy = syy - sy * sy / n;
+    const double cxr = sxr - sx * sr / n, cyr = syr - sy * sr / n, det = cxx * cyy - cxy * cxy;
+    if (!(det > 1e-6 * n * n)) return;
+    const double a = (cyy * cxr - cxy * cyr) / det, b = (cxx * cyr - cxy * cxr) / det;
+    plane.a += static_cast<float>(a);
+    plane.b += static_cast<float>(b);
+    plane.c += static_cast<float>((sr - a * sx - b * sy) / n);
+  }
+
+  /// In rays q = n X / d with n the unit normal, so the length of q's coefficients is 1 / d.
+  void set_rise(const Intrinsics& camera) {
+    const auto inverse_distance = [&](const Plane& p) {
+      const double a = p.a, b = p.b, c = p.c;
+      return std::hypot(a * camera.fx, b * camera.fy, a * camera.cx + b * camera.cy + c);
+    };
+    double nearest = 0;
+    for (const Plane& p : planes_) nearest = std::max(nearest, inverse_distance(p));
+    for (Plane& p : planes_) p.rise = static_cast<float>(kRise * inverse_distance(p) / nearest);
+  }
+
+  std::vector<Plane> planes_;
+  std::vector<Point> points_;
+};
+
+DOT_END_NAMESPACE

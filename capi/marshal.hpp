@@ -315,6 +315,7 @@ inline dot_object to_c(const dot::ObjectResult& object) {
   out.last_decided = to_c(object.last_decided);
   if (object.always_dynamic) out.flags |= DOT_OBJECT_ALWAYS_DYNAMIC;
   if (object.segmented) out.flags |= DOT_OBJECT_SEGMENTED;
+  if (object.discovered) out.flags |= DOT_OBJECT_DISCOVERED;
   out.instance_id = object.instance_id;
   out.class_id = object.class_id;
   out.score = object.score;

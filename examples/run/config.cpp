@@ -57,10 +57,6 @@ std::optional<dot::ClassifierKind> classifier_by_name(const std::string& name) {
   return std::nullopt;
 }
 
-bool switch_on(dot::Options& options, const std::string& name) {
-  return set_option(options, name, "true") == Outcome::Done;
-}
-
 void read_config(const std::filesystem::path& path, dot::Options& options) {
   int line_number = 0;
   for (const std::string& line : read_lines(path)) {

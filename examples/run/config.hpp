@@ -18,7 +18,4 @@ void read_config(const std::filesystem::path& path, dot::Options& options);
 /// Classifier by the name used on the command line and in configuration files.
 std::optional<dot::ClassifierKind> classifier_by_name(const std::string& name);
 
-/// Sets the option of that name, as read_config would; false when the library has none.
-bool switch_on(dot::Options& options, const std::string& name);
-
 }  // namespace runner

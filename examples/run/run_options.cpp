@@ -46,8 +46,7 @@ dot::Options tracker_options(const RunOptions& options, dot::DepthSource source)
   settings.depth_noise.source = source;
   if (!options.config.empty()) read_config(options.config, settings);
   if (options.classifier) settings.classifier = *options.classifier;
-  if (options.discover && !switch_on(settings, "discover_unknown"))
-    throw UsageError("--discover is not supported by this version");
+  if (options.discover) settings.discover_unknown = true;
   return settings;
 }
 

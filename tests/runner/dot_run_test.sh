@@ -100,9 +100,12 @@ grep -q 'lidar' "$work/stdout" || fail "the depth line of intrinsics.txt is not 
 fresh
 { echo id,class,score; seq -f '%.0f,person,0.9' 1 255; } > "$seq/masks/000001.csv"
 accepts "list of instances" "$seq" --out "$out" --always-dynamic person,dog
-grep -q ',1$' "$out/objects.csv" || fail "--always-dynamic has no effect"
+grep -q ',1,0$' "$out/objects.csv" || fail "--always-dynamic has no effect"
 accepts "list of instances without the option" "$seq" --out "$out/2"
-! grep -q ',1$' "$out/2/objects.csv" || fail "objects are always dynamic without the option"
+! grep -q ',1,0$' "$out/2/objects.csv" || fail "objects are always dynamic without the option"
+fresh
+accepts "discovery" "$seq" --out "$out" --discover
+head -n 1 "$out/objects.csv" | grep -q ',discovered$' || fail "objects.csv does not tell what was discovered"
 accepts "help" --help
 grep -q -- '--mask-every' "$work/stdout" || fail "--help does not list the options"
 
@@ -127,7 +130,6 @@ rejects "mask rate in words" 2 "--mask-every" "$seq" --out "$out" --mask-every o
 rejects "no threads" 2 "--threads" "$seq" --out "$out" --threads 0
 rejects "unknown classifier" 2 "--classifier" "$seq" --out "$out" --classifier guess
 rejects "delayed masks" 2 "--mask-delay is not supported" "$seq" --out "$out" --mask-delay 2
-rejects "discovery" 2 "--discover is not supported" "$seq" --out "$out" --discover
 rejects "output into the sequence" 2 "--out" "$seq" --out "$seq/."
 [ ! -e "$seq/objects.csv" ] || fail "the sequence's folder was written to"
 

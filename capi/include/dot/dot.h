@@ -123,7 +123,8 @@ enum { DOT_INSTANCE_ALWAYS_DYNAMIC = 1 };  ///< people and other non-rigid thing
 /// dot_object.flags.
 enum {
   DOT_OBJECT_ALWAYS_DYNAMIC = 1,  ///< flagged by the caller
-  DOT_OBJECT_SEGMENTED = 2        ///< an instance of this frame's segmentation was associated: instance_id
+  DOT_OBJECT_SEGMENTED = 2,       ///< an instance of this frame's segmentation was associated: instance_id
+  DOT_OBJECT_DISCOVERED = 4  ///< found by its motion (setting "discover_unknown"); no instance was associated so far
 };
 
 /// dot_exclusion_policy.flags.

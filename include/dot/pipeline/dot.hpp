@@ -16,6 +16,7 @@
 #include "dot/motion/classifier.hpp"
 #include "dot/pipeline/camera_motion.hpp"
 #include "dot/pipeline/depth_learning.hpp"
+#include "dot/pipeline/discovery.hpp"
 #include "dot/pipeline/options.hpp"
 #include "dot/pipeline/track.hpp"
 #include "dot/pipeline/validate.hpp"
@@ -85,6 +86,7 @@ class Dot {
     std::int32_t class_id = -1;
     float score = 0;
     bool always_dynamic = false;
+    bool discovered = false;  ///< by its motion, not by a network
     const TrackT* track = nullptr;
   };
 
@@ -93,12 +95,20 @@ class Dot {
   void predict_tracks();
   void warp_outline(TrackT& object, const SE3d& T_cur_outline);
   void read_masks(const Frame& frame);
+  void discover();
+  Noise bounded_noise() const;
+  void absorb();
+  /// A candidate that turned out to stand is remembered for a while, lest it is found again, and not followed.
+  bool stands(const TrackT& t) const { return t.candidate && t.state == State::Static; }
+  void confirm(TrackT& object);
+  void support(TrackT& object);
   void associate();
   void follow(TrackT& object);
   std::vector<SE3d> starts(const TrackT& object, const ObjectReference& reference);
   Vector3<double> anchor(const Mask& mask) const;
   void advance(TrackT& object);
   void match(const std::vector<TrackT*>& tracks);
+  void match(const std::vector<TrackT*>& tracks, bool discovered);
   void follow_and_decide();
   void start_tracks();
   void decide(TrackT& object);
@@ -108,6 +118,13 @@ class Dot {
   void make_references();
   void write_result(const Frame& frame);
   void take_time(Stage stage);
+
+  static constexpr double kMaxLearntScale = 3;       ///< of the shared depth noise, over its prior
+  static constexpr int kMaxConfirmed = 5;            ///< fits that agree, beyond which no more are counted
+  static constexpr float kSameSurface = 0.05f;       ///< relative difference of inverse depth
+  static constexpr double kMinSupport = 0.15;        ///< of a discovered object, share of its mask
+  static constexpr double kSupportSeconds = 0.3;     ///< over which it is smoothed
+  static constexpr double kCandidateSeconds = 0.25;  ///< what was discovered must be seen again by then
 
   Camera camera_;
   Options options_;
@@ -120,6 +137,7 @@ class Dot {
   SE3d T_cur_background_;  ///< from that frame to the current one; the identity once `track` has new points
   PointSet fresh_;
   DepthLearning depth_learning_;
+  Discovery<Camera, Noise> discovery_;
   std::deque<TrackT> tracks_;
   std::vector<Observed> observed_;
   bool segmented_ = false;
@@ -144,5 +162,6 @@ class Dot {
 DOT_END_NAMESPACE
 
 #include "dot/pipeline/impl/dot.hpp"
+#include "dot/pipeline/impl/dot_discovery.hpp"
 #include "dot/pipeline/impl/dot_masks.hpp"
 #include "dot/pipeline/impl/dot_objects.hpp"

@@ -23,7 +23,8 @@ struct Options {
   VelocitySettings velocity;
   EntropySettings entropy;
   MaskSettings mask;
-  double max_gap = 1.0;  ///< seconds between frames from which the references are dropped
+  double max_gap = 1.0;           ///< seconds between frames from which the references are dropped
+  bool discover_unknown = false;  ///< look in the background for moving things that no mask shows
 };
 
 /// Calls `visit(name, value)` for each numeric setting, name as in "velocity.v0", value a reference to double, int or
@@ -102,6 +103,7 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(mask.depth_tolerance);
   DOT_OPTION(mask.min_pixels);
   DOT_OPTION(max_gap);
+  DOT_OPTION(discover_unknown);
 #undef DOT_OPTION
 }
 

@@ -64,6 +64,7 @@ struct ObjectResult {
   Reason reason = Reason::New;
   bool always_dynamic = false;    ///< flagged by the caller
   bool segmented = false;         ///< an instance of this frame's segmentation was associated
+  bool discovered = false;        ///< found by its motion (Options::discover_unknown); no instance so far
   std::uint32_t instance_id = 0;  ///< of that instance
   std::int32_t class_id = -1;     ///< of the last instance associated
   float score = 0;                ///< of the last instance associated

@@ -29,6 +29,10 @@ struct Track {
   Mask mask;                       ///< what is shown in this frame
   const Mask* observed = nullptr;  ///< this frame's network mask, if one was associated; valid during `track`
   bool segmented = false;          ///< there was one
+  bool discovered = false;         ///< found by its motion; no network mask so far
+  bool candidate = false;          ///< of those, one that does not count as moving at present: not shown
+  int confirmed = 0;               ///< of those, fits that agreed with the ones before, less those that did not
+  double support = 0;              ///< of those, share of the mask that contradicts a standing scene; smoothed
   bool visible = false;
 
   // Its motion.

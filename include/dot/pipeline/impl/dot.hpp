@@ -36,6 +36,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::reset() {
   T_cur_background_ = {};
   background_.clear();
   depth_learning_.forget();
+  discovery_.clear();
   if constexpr (std::is_same_v<Noise, DepthNoise>)
     depth_noise.pixel_scale = depth_noise.common_scale = depth_noise.change_scale = 1;
   tracks_.clear();
@@ -52,7 +53,8 @@ const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame)
   take_time(Stage::Camera);
   predict_tracks();  // masks warped into this frame
   read_masks(frame);
-  associate();  // network masks to tracks; nothing to do without
+  if (options_.discover_unknown) discover();  // what moves in the background, as further masks
+  associate();                                // network masks to tracks; nothing to do without
   take_time(Stage::Masks);
   follow_and_decide();  // Algorithm 1: T_o of each object, nearest first, and its state
   take_time(Stage::Objects);
@@ -82,6 +84,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::build(const Frame& frame) {
     T_cur_background_ = {};
     background_.clear();
     depth_learning_.clear();
+    discovery_.clear();
     for (TrackT& t : tracks_) t.references.clear(), t.no_reference = Reason::NoReference, t.has_motion = false;
   }
   current_.timestamp = frame.timestamp;
@@ -152,6 +155,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
   cv::dilate(blocked, blocked, cv::Mat::ones(9, 9, CV_8U));
   if constexpr (std::is_same_v<Noise, DepthNoise>)
     depth_learning_.remember(camera_, current_.inverse_depth(), blocked_, current_.timestamp);
+  if (options_.discover_unknown) discovery_.remember(ids_, current_.timestamp);
   const auto free = [&](int x, int y) { return blocked_(x, y) == 0; };
   fresh_.clear();
   select(
@@ -170,6 +174,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
     while (!object.references.empty() &&
            current_.timestamp - object.references.back().timestamp > options_.object.reference_seconds + 1e-6)
       object.references.pop_back();
+    if (stands(object)) continue;
     if (!object.visible || object.mask.area < options_.selection.min_object_pixels) {
       object.no_reference = object.visible ? Reason::TooFewPixels : Reason::Hidden;
       continue;
@@ -219,6 +224,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame) {
 
   objects_.clear();
   for (const TrackT& t : tracks_) {
+    if (t.candidate) continue;
     ObjectResult o;
     o.id = t.id;
     o.state = t.state;
@@ -226,6 +232,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame) {
     o.reason = t.fit.reason;
     o.always_dynamic = t.always_dynamic;
     o.segmented = t.segmented;
+    o.discovered = t.discovered;
     o.instance_id = o.segmented ? t.instance_id : 0;
     o.class_id = t.class_id;
     o.score = t.score;

@@ -82,16 +82,30 @@ void Dot<Camera, Classifier, Noise, Aligner>::associate() {
   std::vector<TrackT*> all;
   for (TrackT& t : tracks_) all.push_back(&t);
   match(all);
+  if (options_.discover_unknown) absorb();
 }
 
-/// Gives the tracks those of the observed masks that have no track yet.
+/// Gives the tracks those of the observed masks that have no track yet: the network's to any, and what was discovered
+/// to those that no network has shown.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::match(const std::vector<TrackT*>& tracks) {
+  match(tracks, false);
+  if (!options_.discover_unknown) return;
+  for (const bool candidate : {false, true}) {
+    std::vector<TrackT*> unknown;
+    for (TrackT* t : tracks)
+      if (t->discovered && !t->observed && t->candidate == candidate && !stands(*t)) unknown.push_back(t);
+    match(unknown, true);
+  }
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::match(const std::vector<TrackT*>& tracks, bool discovered) {
   std::vector<const Mask*> predicted, observed;
   std::vector<Observed*> open;
   for (const TrackT* t : tracks) predicted.push_back(&t->predicted.mask);
   for (Observed& o : observed_)
-    if (!o.track) open.push_back(&o), observed.push_back(&o.mask);
+    if (!o.track && o.discovered == discovered) open.push_back(&o), observed.push_back(&o.mask);
   if (open.empty() || predicted.empty()) return;
   const std::vector<int> partner = dot::associate(predicted, observed, options_.mask);
   for (std::size_t i = 0; i < open.size(); ++i) {
@@ -99,7 +113,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::match(const std::vector<TrackT*>& 
     TrackT& t = *tracks[static_cast<std::size_t>(partner[i])];
     open[i]->track = &t;
     t.observed = &open[i]->mask;
+    if (discovered) continue;
     t.segmented = true;
+    t.discovered = t.candidate = false;
     t.instance_id = open[i]->instance_id;
     t.class_id = open[i]->class_id;
     t.score = open[i]->score;
@@ -131,9 +147,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
       t.mask = t.predicted.mask;
       t.visible = t.mask.area >= options_.mask.min_pixels;
     }
-    if (t.observed || (!segmented_ && t.visible && t.fit.ok())) t.last_seen = current_.timestamp;
+    const bool follows = t.discovered ? !t.candidate : !segmented_;
+    if (t.observed || (follows && t.visible && t.fit.ok())) t.last_seen = current_.timestamp;
     if (!t.visible) t.fit.reason = t.fit.ok() ? Reason::Hidden : t.fit.reason;
-    if (current_.timestamp - t.last_seen > options_.mask.keep_seconds) {
+    const bool was_shown = !t.discovered || t.confirmed > 0 || stands(t);
+    if (t.lost || current_.timestamp - t.last_seen > (was_shown ? options_.mask.keep_seconds : kCandidateSeconds)) {
       t.lost = true;
       t.fit.reason = Reason::Lost;
     }
@@ -151,7 +169,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::start_tracks() {
     t.score = o.score;
     t.always_dynamic = o.always_dynamic;
     t.observed = &o.mask;
-    t.segmented = true;
+    t.segmented = !o.discovered;
+    t.discovered = t.candidate = o.discovered;
+    if (t.discovered) t.support = discovery_.support(o.mask);
     t.fit.reason = Reason::New;
     if (t.always_dynamic) t.state = t.last_decided = State::Moving, t.p_moving = 1;
     tracks_.push_back(std::move(t));
@@ -176,8 +196,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::label() {
   ids_.fill(0);
   std::vector<TrackT*> order;
   for (TrackT& t : tracks_)
-    if (t.visible && !t.lost) order.push_back(&t);
-  const auto rank = [](const TrackT* t) { return std::make_tuple(t->observed != nullptr, t->inverse_depth(), t->id); };
+    if (t.visible && !t.lost && !t.candidate) order.push_back(&t);
+  const auto rank = [](const TrackT* t) {
+    return std::make_tuple(t->observed && !t->discovered, t->inverse_depth(), t->id);
+  };
   std::sort(order.begin(), order.end(), [&](const TrackT* l, const TrackT* r) { return rank(l) < rank(r); });
   for (const TrackT* t : order)
     for (int y = 0; y < t->mask.height(); ++y)
@@ -191,9 +213,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::label() {
     TrackT& t = **i;
     std::array<int, 4> box = t.mask.box();
     if (!t.observed && t.outline_is_newest && t.fit.ok() && camera_state_.known())
-      grow(segmented_frame_, t.T_cur_outline.inverse(), T_cur_segmented_.inverse(), camera_,
-           current_.inverse_depth().view(), t.id, [this](double q) { return depth_tolerance(q); }, grow_workspace_,
-           ids_, box);
+      grow(
+          segmented_frame_, t.T_cur_outline.inverse(), T_cur_segmented_.inverse(), camera_,
+          current_.inverse_depth().view(), t.id, [this](double q) { return depth_tolerance(q); }, grow_workspace_, ids_,
+          box);
     crop_ids<std::uint32_t>(ids_.view(), t.id, box, shown);
     std::swap(shown, t.mask);
     t.visible = !t.mask.empty();

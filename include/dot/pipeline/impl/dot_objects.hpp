@@ -27,7 +27,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow_and_decide() {
     decide(*object);
     advance(*object);
     const Mask& mask = object->observed ? *object->observed : object->predicted.mask;
-    if (!object->fit.ok() && !object->observed) continue;
+    if (object->candidate || (!object->fit.ok() && !object->observed)) continue;
     for (int y = 0; y < mask.height(); ++y)
       for (int x = 0; x < mask.width(); ++x)
         if (mask.pixels(x, y)) nearer_(mask.x + x, mask.y + y) = 255;
@@ -45,19 +45,24 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     object.fit.reason = camera_state_.status == CameraStatus::FirstFrame ? Reason::NoReference : Reason::CameraLost;
     return;
   }
+  if (stands(object)) {
+    object.fit.reason = Reason::Hidden;
+    return;
+  }
   if (object.references.empty()) {
     object.fit.reason = object.no_reference;
     return;
   }
   const ObjectScene<Camera> scene{current_.pyramid, camera_, current_.depth, nearer_.view()};
+  const Noise noise = object.discovered ? bounded_noise() : depth_noise;
   const SE3d& T_c = camera_state_.T_cur_prev;
 
   const auto fit_to = [&](const ObjectReference& reference) {
     const double age = current_.timestamp - reference.timestamp;
     std::vector<SE3d> T_o = starts(object, reference);
     if (!object.has_motion && &reference == &object.references.front())
-      for (const SE3d& T : object_estimator.search(reference, scene, age, depth_noise, aligner)) T_o.push_back(T);
-    return object_estimator.fit(reference, scene, T_o, age, depth_noise, aligner);
+      for (const SE3d& T : object_estimator.search(reference, scene, age, noise, aligner)) T_o.push_back(T);
+    return object_estimator.fit(reference, scene, T_o, age, noise, aligner);
   };
   const auto decide_by = [&](const ObjectReference& reference, const MotionEstimate& motion) {
     if (object.has_decisive && motion.covariance.trace() >= object.decisive.covariance.trace()) return;
@@ -90,7 +95,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     const ObjectReference& older = object.references[static_cast<std::size_t>(k)];
     const SE3d start = older.T_cur_ref.inverse() * T_c * object.T_o * older.T_obj_cur_ref;
     const ObjectFit long_fit =
-        object_estimator.fit(older, scene, {start}, current_.timestamp - older.timestamp, depth_noise, aligner);
+        object_estimator.fit(older, scene, {start}, current_.timestamp - older.timestamp, noise, aligner);
     if (!long_fit.ok()) continue;
     decide_by(older, long_fit.motion);
     const ObjectFit shared =
@@ -131,7 +136,7 @@ std::vector<SE3d> Dot<Camera, Classifier, Noise, Aligner>::starts(const TrackT& 
     add_observed(*object.observed);
   else
     for (const Observed& o : observed_)
-      if (!o.track) add_observed(o.mask);
+      if (!o.track && o.discovered == object.discovered) add_observed(o.mask);
   return out;
 }
 
@@ -157,6 +162,7 @@ Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object) {
+  if (object.discovered) confirm(object);
   const Decision d = classifier(object.memory, object.has_decisive ? &object.decisive : nullptr,
                                 camera_state_.T_cur_prev.R, current_.dt);
   object.state = object.always_dynamic ? State::Moving : d.state;
@@ -164,6 +170,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object) {
   object.velocity = d.velocity;
   object.velocity_covariance = d.covariance;
   if (object.state != State::NotObservable) object.last_decided = object.state;
+  if (object.discovered) support(object);
 }
 
 /// Carries outline and references into this frame: standing things by T_c alone, so that their outline does not drift

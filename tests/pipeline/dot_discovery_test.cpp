@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+
+// Options::discover_unknown: what moves is found without a mask, and what stands is not.
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+
+#include "dot/dot.hpp"
+#include "support/film.hpp"
+
+namespace {
+
+using dot::CameraStatus;
+using dot::Dot;
+using dot::Frame;
+using dot::Image;
+using dot::ObjectResult;
+using dot::Options;
+using dot::Pinhole;
+using dot::Result;
+using dot::State;
+using dot::Vector3;
+using namespace dot::test;
+
+constexpr std::uint32_t parked = 1, mover = 2;
+
+Dot<> make_dot(bool discover = true) {
+  Options options;
+  options.depth_noise.source = dot::DepthSource::Stereo;
+  options.discover_unknown = discover;
+  return Dot<>(Pinhole(small_camera()), options);
+}
+
+/// The network runs and sees nothing.
+void no_masks(int, Frame& frame) { frame.masks = dot::Masks{}; }
+
+/// Sensors as they are, and a network that is blind.
+Film<> blind_film() {
+  Film<> film;
+  film.degradation.noise = 1.5;
+  film.degradation.depth_noise = 0.002;
+  film.degradation.missing_depth = 0.02;
+  film.edit = no_masks;
+  return film;
+}
+
+/// Pixels labelled moving on a body, of the body, and elsewhere.
+struct Moving {
+  int on = 0, body = 0, elsewhere = 0;
+};
+
+Moving moving_pixels(const Result& result, const Image<std::uint32_t>& truth, std::uint32_t body) {
+  Moving m;
+  for (int y = 0; y < truth.height(); ++y)
+    for (int x = 0; x < truth.width(); ++x) {
+      const bool said = result.labels(x, y) == static_cast<std::uint8_t>(State::Moving), on = truth(x, y) == body;
+      m.on += said && on, m.body += on, m.elsewhere += said && !on;
+    }
+  return m;
+}
+
+/// From the given frame on: the mover found by 60 % of its pixels, and next to nothing beside it.
+void expect_found(Film<>& film, int frames, int from) {
+  Dot<> dot = make_dot();
+  std::uint32_t id = 0;
+  for (int i = 0; i < frames; ++i) {
+    const Result& result = film.next(dot);
+    const Moving m = moving_pixels(result, film.truth().ids, mover);
+    const std::string where = "frame " + std::to_string(i) + ": " + std::to_string(m.on) + " of " +
+                              std::to_string(m.body) + ", elsewhere " + std::to_string(m.elsewhere);
+    EXPECT_LE(m.elsewhere, 0.25 * m.body) << where;
+    if (i < from) continue;
+    EXPECT_GE(m.on, 0.6 * m.body) << where;
+    const ObjectResult* o = object_on(result, film.truth().ids, mover);
+    ASSERT_NE(o, nullptr) << where;
+    EXPECT_TRUE(o->discovered && !o->segmented && o->instance_id == 0) << where;
+    if (id == 0) id = o->id;
+    EXPECT_EQ(o->id, id) << where;
+  }
+}
+
+/// Nothing at all, in any frame.
+void expect_nothing(Film<>& film, int frames) {
+  Dot<> dot = make_dot();
+  for (int i = 0; i < frames; ++i) {
+    const Result& result = film.next(dot);
+    EXPECT_EQ(result.objects.size, 0u) << "frame " << i << ": " << describe(result.objects.data);
+    EXPECT_EQ(result.camera.status, i == 0 ? CameraStatus::FirstFrame : CameraStatus::Tracked) << "frame " << i;
+  }
+}
+
+TEST(Discovery, FindsWhatCrosses) {
+  Film<> film = blind_film();
+  film.camera_path = straight({0, 0, 0}, {0, 0, 1});
+  film.add(parked, straight({2.6, 1.3, 9}));
+  film.add(mover, straight({-3.5, 1.3, 8}, {2.5, 0, 0}));
+  expect_found(film, 18, 7);
+}
+
+TEST(Discovery, FindsWhatGoesAway) {
+  Film<> film = blind_film();
+  film.camera_path = straight({0, 0, 0}, {0, 0, 1});
+  film.add(mover, straight({0.3, 1.3, 4.5}, {0, 0, 3}));
+  expect_found(film, 16, 7);
+}
+
+TEST(Discovery, FindsWhatComesNearer) {
+  Film<> film = blind_film();
+  film.add(mover, straight({0.8, 1.3, 9}, {0, 0, -3}));
+  expect_found(film, 16, 9);
+}
+
+// Parallax hides and uncovers parts of the wall behind the boxes, the exposure drifts, and there is noise.
+TEST(Discovery, StandingThingsAreNotFound) {
+  Film<> film = blind_film();
+  film.camera_path = straight({0, 0, 0}, {1.5, 0, 1});
+  film.add(parked, straight({1.6, 1.3, 6}));
+  film.add(mover, straight({-1.2, 1.3, 8}));
+  film.spoil = [](int i, Rendering& seen) {
+    Degradation exposure;
+    exposure.gain = i % 8 < 4 ? 1.0 : 0.85;
+    exposure.offset = i % 5;
+    seen = degraded(seen, exposure);
+  };
+  expect_nothing(film, 20);
+}
+
+TEST(Discovery, NoiseBeforeAStandingCameraIsNotFound) {
+  Film<> film = blind_film();
+  film.degradation.noise = 4;
+  film.degradation.depth_noise = 0.006;
+  film.degradation.missing_depth = 0.1;
+  film.add(parked, straight({1.6, 1.3, 6}));
+  expect_nothing(film, 20);
+}
+
+// Wrong surfaces that come and go are inconsistent, but no motion fits them.
+TEST(Discovery, FlickeringDepthIsNotFound) {
+  Film<> film = blind_film();
+  film.camera_path = straight({0, 0, 0}, {0, 0, 1});
+  film.spoil = [](int i, Rendering& seen) {
+    for (int y = 60; y < 110; ++y)
+      for (int x = 100; x < 180; ++x)
+        if (i % 4 < 2) seen.depth(x, y) *= 0.5f;
+  };
+  expect_nothing(film, 20);
+}
+
+// It moves in the image, but nothing of the scene does: its depth is that of the ground.
+TEST(Discovery, ShadowIsNotFound) {
+  Film<> film = blind_film();
+  film.spoil = [](int i, Rendering& seen) {
+    for (int y = 170; y < 220; ++y)
+      for (int x = 20 + 6 * i; x < 100 + 6 * i; ++x) seen.grey(x, y) = static_cast<std::uint8_t>(seen.grey(x, y) / 2);
+  };
+  expect_nothing(film, 16);
+}
+
+TEST(Discovery, LeavesWhatTheNetworkSees) {
+  Film<> film = blind_film();
+  film.edit = nullptr;
+  film.add(parked, straight({1.6, 1.3, 7}));
+  film.add(mover, straight({-2.5, 1.3, 6.5}, {2, 0, 0}));
+  Dot<> dot = make_dot();
+  for (int i = 0; i < 14; ++i) {
+    const Result& result = film.next(dot);
+    EXPECT_EQ(result.objects.size, 2u) << "frame " << i;
+    for (const ObjectResult& o : result.objects) EXPECT_FALSE(o.discovered) << "frame " << i << ": " << describe(&o);
+  }
+}
+
+TEST(Discovery, NetworkTakesOverWithTheSameId) {
+  Film<> film = blind_film();
+  film.add(mover, straight({-3.5, 1.3, 8}, {2.5, 0, 0}));
+  film.edit = [](int i, Frame& frame) {
+    if (i < 12) no_masks(i, frame);
+  };
+  Dot<> dot = make_dot();
+  std::uint32_t id = 0;
+  for (int i = 0; i < 16; ++i) {
+    const Result& result = film.next(dot);
+    if (i < 11) continue;
+    const ObjectResult* o = object_on(result, film.truth().ids, mover);
+    ASSERT_NE(o, nullptr) << "frame " << i;
+    if (i == 11) id = o->id;
+    EXPECT_EQ(o->id, id) << "frame " << i;
+    EXPECT_EQ(o->discovered, i < 12) << "frame " << i;
+    EXPECT_EQ(o->segmented, i >= 12) << "frame " << i;
+    EXPECT_EQ(o->state, State::Moving) << "frame " << i;
+  }
+}
+
+TEST(Discovery, IsOffByDefault) {
+  Film<> film = blind_film();
+  film.add(mover, straight({-3.5, 1.3, 8}, {2.5, 0, 0}));
+  Dot<> dot = make_dot(false);
+  EXPECT_FALSE(Options{}.discover_unknown);
+  for (int i = 0; i < 12; ++i) EXPECT_EQ(film.next(dot).objects.size, 0u) << "frame " << i;
+}
+
+}  // namespace

@@ -35,10 +35,10 @@ namespace growing {
 
 /// What the segmented frame says of a point, given where it would have been.
 enum class Then : std::uint8_t {
-  Unseen,    ///< out of the image, or behind something: it may be new
-  SameId,    ///< on the object
-  Empty,     ///< one looked through there: the point was elsewhere
-  Confirmed  ///< a surface was there that is not the object's
+  Unseen,  ///< out of the image, or behind something: it may be new
+  Object,  ///< there was the object's surface
+  Empty,   ///< one looked through there: the point was elsewhere
+  Other    ///< there was a surface that is not the object's
 };
 
 /// @param tolerance of inverse depths, relative
@@ -52,11 +52,12 @@ Then then(const SegmentedFrame& frame, const SE3f& T_then_cur, const Camera& cam
         p.y() < static_cast<float>(camera.height()) - 0.5f))
     return Then::Unseen;
   const int x = static_cast<int>(p.x() + 0.5f), y = static_cast<int>(p.y() + 0.5f);
-  if (frame.ids(x, y) == id) return Then::SameId;
+  const std::uint32_t label = frame.ids(x, y);
+  const Then surface = label == id ? Then::Object : Then::Other;
   const float expected = q / X.z(), measured = frame.inverse_depth(x, y);
-  if (!(measured > 0) || !std::isfinite(measured)) return frame.ids(x, y) ? Then::Unseen : Then::Confirmed;
+  if (!(measured > 0) || !std::isfinite(measured)) return label == 0 || label == id ? surface : Then::Unseen;
   if (measured > expected * (1 + tolerance)) return Then::Unseen;
-  return measured < expected * (1 - tolerance) ? Then::Empty : Then::Confirmed;
+  return measured < expected * (1 - tolerance) ? Then::Empty : surface;
 }
 
 }  // namespace growing
@@ -109,12 +110,11 @@ int grow(const SegmentedFrame& segmented, const SE3d& T_seg_object, const SE3d& 
       const float own = measured(x, y), q = own > 0 ? own : from.q;
       const float limit = static_cast<float>(tolerance(q));
       if (std::abs(q - from.q) > limit * from.q) continue;
-      const Vector3<float> ray =
-          camera.unproject(Vector2<float>(static_cast<float>(x), static_cast<float>(y)));
+      const Vector3<float> ray = camera.unproject(Vector2<float>(static_cast<float>(x), static_cast<float>(y)));
       const auto moved = growing::then(segmented, T_object, camera, ray, q, limit, id);
-      if (moved == growing::Then::Empty || moved == growing::Then::Confirmed) continue;
+      if (moved == growing::Then::Empty || moved == growing::Then::Other) continue;
       const auto stood = growing::then(segmented, T_static, camera, ray, q, limit, id);
-      if (stood != growing::Then::Empty && stood != growing::Then::SameId) continue;
+      if (stood != growing::Then::Empty && stood != growing::Then::Object) continue;
       ids(x, y) = id;
       ++gained;
       left = std::min(left, x), right = std::max(right, x + 1);

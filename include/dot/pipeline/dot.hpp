@@ -143,7 +143,7 @@ class Dot {
   bool segmented_ = false;
   SegmentedFrame segmented_frame_;  ///< the last one
   SE3d T_cur_segmented_;            ///< camera motion since
-  Image<std::uint8_t> nearer_;  ///< where objects nearer than the one being followed were found
+  Image<std::uint8_t> nearer_;      ///< where objects nearer than the one being followed were found
 
   Image<std::uint8_t> labels_;
   Image<std::uint32_t> ids_;

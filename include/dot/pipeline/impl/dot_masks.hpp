@@ -21,6 +21,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::predict_tracks() {
   for (TrackT& t : tracks_) {
     t.segmented = false;
     t.observed = nullptr;
+    t.outline_is_newest &= c.known();
     for (ObjectReference& r : t.references) {
       r.T_cur_ref = c.T_cur_prev * r.T_cur_ref;
       r.camera_covariance = Ad * r.camera_covariance * Ad.transpose() + c.covariance;
@@ -134,20 +135,28 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
   start_tracks();
   for (TrackT& t : tracks_) {
     if (t.observed) {
+      const bool motion_holds =
+          (t.fit.ok() || t.state == State::Static) && containment(*t.observed, t.predicted.mask) > 0.5;
       t.mask = *t.observed;
       const double q = t.outline.median > 0 ? t.outline.median : 1 / options_.selection.max_depth;
       if (!make_template(t.mask, current_.inverse_depth().view(), options_.mask.depth_tolerance, template_workspace_,
                          t.outline))
         make_flat_template(t.mask, q, t.outline);
+      if (motion_holds) extend_template(t.predicted.hidden, t.outline);
       t.T_cur_outline = {};
       t.outline_is_newest = true;
+      t.contradictions = 0;
       t.visible = true;
     } else {
       if (segmented_) t.outline_is_newest = false;
       t.mask = t.predicted.mask;
       t.visible = t.mask.area >= options_.mask.min_pixels;
+      // A network drops an instance now and then. One that it does not show twice is gone: its motion was lost. What
+      // stands is kept, its outline follows from the camera's motion.
+      if (t.visible && segmented_ && !t.discovered) ++t.contradictions;
+      if (t.contradictions > 1 && t.state != State::Static) t.visible = false;
     }
-    const bool follows = t.discovered ? !t.candidate : !segmented_;
+    const bool follows = t.discovered ? !t.candidate : t.contradictions == 0;
     if (t.observed || (follows && t.visible && t.fit.ok())) t.last_seen = current_.timestamp;
     if (!t.visible) t.fit.reason = t.fit.ok() ? Reason::Hidden : t.fit.reason;
     const bool was_shown = !t.discovered || t.confirmed > 0 || stands(t);
@@ -212,7 +221,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label() {
   for (auto i = order.rbegin(); i != order.rend(); ++i) {
     TrackT& t = **i;
     std::array<int, 4> box = t.mask.box();
-    if (!t.observed && t.outline_is_newest && t.fit.ok() && camera_state_.known())
+    if (!t.observed && t.outline_is_newest && t.fit.ok())
       grow(
           segmented_frame_, t.T_cur_outline.inverse(), T_cur_segmented_.inverse(), camera_,
           current_.inverse_depth().view(), t.id, [this](double q) { return depth_tolerance(q); }, grow_workspace_, ids_,

@@ -151,10 +151,12 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
       if (segmented_) t.outline_is_newest = false;
       t.mask = t.predicted.mask;
       t.visible = t.mask.area >= options_.mask.min_pixels;
-      // A network drops an instance now and then. One that it does not show twice is gone: its motion was lost. What
-      // stands is kept, its outline follows from the camera's motion.
+      // A network drops an instance now and then. What it does not show again and again is gone: its motion was lost.
+      // What stands is kept, its outline follows from the camera's motion.
       if (t.visible && segmented_ && !t.discovered) ++t.contradictions;
-      if (t.contradictions > 1 && t.state != State::Static) t.visible = false;
+      if (t.contradictions > 1 && t.state != State::Static &&
+          current_.timestamp - t.last_seen > 0.5 * options_.mask.keep_seconds)
+        t.visible = false;
     }
     const bool follows = t.discovered ? !t.candidate : t.contradictions == 0;
     if (t.observed || (follows && t.visible && t.fit.ok())) t.last_seen = current_.timestamp;

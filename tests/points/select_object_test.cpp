@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "dot/camera/depth_noise.hpp"
@@ -66,10 +67,13 @@ struct Selected {
   ObjectPoints summary;
   PointSet points;
 
-  Selected(const Scene& scene, const Degradation& degradation, double sigma_px = 0.1, int budget = 600) {
+  /// @param spoil changes what is seen.
+  Selected(const Scene& scene, const Degradation& degradation, double sigma_px = 0.1, int budget = 600,
+           const std::function<void(Rendering&)>& spoil = {}) {
     const Pinhole camera(small_camera());
     truth = scene.render(camera, SE3d{});
-    const Rendering seen = degraded(truth, degradation);
+    Rendering seen = degraded(truth, degradation);
+    if (spoil) spoil(seen);
     Pyramid pyramid;
     pyramid.build(seen.grey.view(), 3);
     const Image<float> q = seen.inverse_depth();
@@ -180,6 +184,88 @@ TEST(SelectObject, CopesWithThirtyPercentMissingDepth) {
   const Selected s(street(), holes);
   EXPECT_GT(s.points.size(), 150);
   for (std::size_t i = 0; i < s.points.u.size(); ++i) EXPECT_EQ(s.truth.ids(s.x(i), s.y(i)), car);
+}
+
+/// Takes the depth of the car's pixels away, except in columns that hold this share of them, from the left.
+std::function<void(Rendering&)> measured_on_the_left(double share) {
+  return [=](Rendering& seen) {
+    const Crop crop(seen.ids, car);
+    int left = 0;
+    for (int x = 0; x < crop.box.width; ++x)
+      for (int y = 0; y < crop.box.height; ++y) {
+        if (!crop.mask(x, y)) continue;
+        if (left++ >= share * crop.area) seen.depth(crop.box.x + x, crop.box.y + y) = 0;
+      }
+  };
+}
+
+/// How many points lie where a depth was measured, and how many where none was.
+struct Where {
+  int measured = 0, elsewhere = 0;
+
+  Where(const Selected& s, const std::function<void(Rendering&)>& spoil) {
+    Rendering seen = s.truth;
+    spoil(seen);
+    for (std::size_t i = 0; i < s.points.u.size(); ++i) (seen.depth(s.x(i), s.y(i)) > 0 ? measured : elsewhere) += 1;
+  }
+};
+
+// The images say how it moves; where it is, a few depths say as well as many, and a plane through them says no more.
+TEST(SelectObject, WithDepthInLessThanAQuarterTakesTheWholeMaskAtOneLevel) {
+  const auto spoil = measured_on_the_left(0.22);
+  const Selected full(street(), {});
+  const Selected s(street(), {}, 0.1, 600, spoil);
+  const Crop crop(s.truth.ids, car);
+  const Where where(s, spoil);
+  EXPECT_NEAR(s.summary.pixels_with_depth, 0.22 * crop.area, 0.03 * crop.area);
+  EXPECT_GT(s.points.size(), 0.8 * full.points.size());
+  EXPECT_GT(where.measured, s.points.size() / 10);
+  // Points in each part of the mask, as many as if all were measured.
+  for (int part = 0; part < 6; ++part) {
+    const auto in_part = [&](const Selected& of) {
+      int n = 0;
+      for (std::size_t i = 0; i < of.points.u.size(); ++i)
+        n += (of.x(i) - crop.box.x) * 3 / crop.box.width == part % 3 &&
+             (of.y(i) - crop.box.y) * 2 / crop.box.height == part / 3;
+      return n;
+    };
+    EXPECT_GT(in_part(s), 0.6 * in_part(full)) << part;
+  }
+  // The level is that of the measured pixels, and each point says how far its own depth may be from it.
+  float least = 1e9f, most = 0;
+  Rendering seen = s.truth;
+  spoil(seen);
+  for (int y = 0; y < seen.ids.height(); ++y)
+    for (int x = 0; x < seen.ids.width(); ++x)
+      if (seen.ids(x, y) == car && seen.depth(x, y) > 0)
+        least = std::min(least, 1 / seen.depth(x, y)), most = std::max(most, 1 / seen.depth(x, y));
+  EXPECT_GT(s.summary.median_q, least);
+  EXPECT_LT(s.summary.median_q, most);
+  for (std::size_t i = 0; i < s.points.u.size(); ++i) {
+    EXPECT_EQ(s.points.q[i], s.summary.median_q);
+    EXPECT_LT(std::abs(s.points.q[i] - 1 / s.truth.depth(s.x(i), s.y(i))), 3 * s.points.sigma_q[i]);
+  }
+}
+
+TEST(SelectObject, WithDepthInMoreThanAQuarterTakesOnlyWhatIsMeasured) {
+  const auto spoil = measured_on_the_left(0.3);
+  const Selected s(street(), {}, 0.1, 600, spoil);
+  const Where where(s, spoil);
+  EXPECT_GT(where.measured, 100);
+  EXPECT_EQ(where.elsewhere, 0);
+}
+
+// A window, as it were, in the middle of one that has depth everywhere else.
+TEST(SelectObject, TakesNothingFromAHoleInItsDepth) {
+  const auto spoil = [](Rendering& seen) {
+    const Crop crop(seen.ids, car);
+    for (int y = crop.box.height / 3; y < 2 * crop.box.height / 3; ++y)
+      for (int x = crop.box.width / 3; x < 2 * crop.box.width / 3; ++x) seen.depth(crop.box.x + x, crop.box.y + y) = 0;
+  };
+  const Selected s(street(), {}, 0.1, 600, spoil);
+  const Where where(s, spoil);
+  EXPECT_GT(where.measured, 150);
+  EXPECT_EQ(where.elsewhere, 0);
 }
 
 }  // namespace

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/mask/grow.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "dot/camera/pinhole.hpp"
+
+namespace {
+
+using dot::Image;
+using dot::SE3d;
+
+constexpr int kWidth = 80, kHeight = 60;
+constexpr std::uint32_t kId = 5, kOther = 7;
+constexpr float kNear = 0.5f, kObject = 0.2f, kFar = 0.05f;  // 1/m
+const dot::Intrinsics kIntrinsics{100, 100, 40, 30, kWidth, kHeight, 0};
+
+/// Columns [x0, x1) and rows [y0, y1) of one inverse depth; may reach out of the image.
+struct Box {
+  int x0, x1, y0, y1;
+  float q;
+  std::uint32_t id;
+};
+
+/// Boxes before a wall, later ones over earlier ones.
+dot::SegmentedFrame render(const std::vector<Box>& boxes) {
+  dot::SegmentedFrame out;
+  out.inverse_depth.resize(kWidth, kHeight);
+  out.inverse_depth.fill(kFar);
+  out.ids.resize(kWidth, kHeight);
+  out.ids.fill(0);
+  for (const Box& box : boxes)
+    for (int y = box.y0; y < box.y1; ++y)
+      for (int x = box.x0; x < box.x1; ++x) {
+        if (!out.ids.contains(x, y)) continue;
+        out.inverse_depth(x, y) = box.q;
+        out.ids(x, y) = box.id;
+      }
+  return out;
+}
+
+/// Motion to the segmented frame of what, at the object's depth, has come `pixels` to the right since.
+SE3d back(int pixels) {
+  SE3d T;
+  T.t.x() = -pixels / (100.0 * kObject);
+  return T;
+}
+
+struct Grown {
+  int gained;
+  Image<std::uint32_t> ids;
+  std::array<int, 4> box;
+};
+
+/// Grows the object, whose pixels in `current` lie in `box` (x, y, width, height).
+Grown grow(const dot::SegmentedFrame& segmented, const dot::SegmentedFrame& current, const std::array<int, 4>& box,
+           const SE3d& T_object, const SE3d& T_static = {}) {
+  dot::GrowWorkspace workspace;
+  Grown out{0, current.ids, box};
+  out.gained = dot::grow(
+      segmented, T_object, T_static, dot::Pinhole(kIntrinsics), current.inverse_depth.view(), kId,
+      [](double) { return 0.1; }, workspace, out.ids, out.box);
+  return out;
+}
+
+/// The object must fill `box` and nothing else; `before` tells what the other pixels must still be.
+void expect_fills(const Grown& found, const Image<std::uint32_t>& before, const std::array<int, 4>& box) {
+  EXPECT_EQ(found.box, box);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const bool inside = x >= box[0] && x < box[0] + box[2] && y >= box[1] && y < box[1] + box[3];
+      ASSERT_EQ(found.ids(x, y), inside ? kId : before(x, y)) << x << ' ' << y;
+    }
+}
+
+void expect_unchanged(const Grown& found, const Image<std::uint32_t>& before, const std::array<int, 4>& box) {
+  EXPECT_EQ(found.gained, 0);
+  expect_fills(found, before, box);
+}
+
+TEST(Grow, FollowsTheObjectIntoTheImage) {
+  for (const int shift : {10, 20}) {  // by less and by more than what was to be seen of it
+    const auto segmented = render({{-shift, 24 - shift, 20, 40, kObject, kId}});
+    auto current = render({{0, shift, 20, 40, kObject, 0}, {shift, 24, 20, 40, kObject, kId}});
+    for (int y = 20; y < 40; y += 3)
+      for (int x = 0; x < shift; x += 2) current.inverse_depth(x, y) = 0;  // not measured
+    const Grown found = grow(segmented, current, {shift, 20, 24 - shift, 20}, back(shift));
+    EXPECT_EQ(found.gained, shift * 20);
+    expect_fills(found, current.ids, {0, 20, 24, 20});
+  }
+}
+
+TEST(Grow, TakesWhatAnOccluderHid) {
+  const auto segmented = render({{20, 44, 20, 40, kObject, kId}, {36, 44, 10, 50, kNear, kOther}});
+  const auto current = render({{30, 46, 20, 40, kObject, kId}, {46, 54, 20, 40, kObject, 0}});
+  const Grown found = grow(segmented, current, {30, 20, 16, 20}, back(10));
+  EXPECT_EQ(found.gained, 8 * 20);
+  expect_fills(found, current.ids, {30, 20, 24, 20});
+}
+
+TEST(Grow, LeavesWhatMayHaveStoodHidden) {
+  // The wider occluder hid columns 46 to 49, too: a standing thing there would look the same.
+  const auto segmented = render({{20, 44, 20, 40, kObject, kId}, {36, 50, 10, 50, kNear, kOther}});
+  const auto current = render({{30, 46, 20, 40, kObject, kId}, {46, 50, 20, 40, kObject, 0}});
+  expect_unchanged(grow(segmented, current, {30, 20, 16, 20}, back(10)), current.ids, {30, 20, 16, 20});
+
+  // The camera moved and the object stands: nothing tells it from what else comes into the image.
+  const auto cut = render({{-10, 14, 20, 40, kObject, kId}});
+  const auto entered = render({{0, 10, 20, 40, kObject, 0}, {10, 24, 20, 40, kObject, kId}});
+  expect_unchanged(grow(cut, entered, {10, 20, 14, 20}, back(10), back(10)), entered.ids, {10, 20, 14, 20});
+}
+
+TEST(Grow, LeavesNeighboursAlone) {
+  // Another object has come in below it, at the same depth.
+  const auto segmented = render({{-10, 14, 20, 40, kObject, kId}});
+  const auto current =
+      render({{0, 10, 20, 40, kObject, 0}, {10, 24, 20, 40, kObject, kId}, {0, 24, 40, 50, kObject, kOther}});
+  expect_fills(grow(segmented, current, {10, 20, 14, 20}, back(10)), current.ids, {0, 20, 24, 20});
+
+  // Another object moves before it; its present mask is missing, but the segmented frame shows whose pixels they are.
+  const auto pair = render({{10, 24, 20, 40, kObject, kId}, {24, 34, 20, 40, kObject, kOther}});
+  const auto moved = render({{30, 44, 20, 40, kObject, kId}, {44, 54, 20, 40, kObject, 0}});
+  expect_unchanged(grow(pair, moved, {30, 20, 14, 20}, back(20)), moved.ids, {30, 20, 14, 20});
+}
+
+TEST(Grow, LeavesGroundAndBackgroundAlone) {
+  // The ground under it has its depth at the line of contact.
+  const Box ground{0, kWidth, 40, kHeight, kObject, 0};
+  const auto segmented = render({{-10, 14, 20, 40, kObject, kId}, ground});
+  const auto current = render({{0, 10, 20, 40, kObject, 0}, {10, 24, 20, 40, kObject, kId}, ground});
+  expect_fills(grow(segmented, current, {10, 20, 14, 20}, back(10)), current.ids, {0, 20, 24, 20});
+
+  // Something farther has come in below it.
+  const auto alone = render({{-10, 14, 20, 40, kObject, kId}});
+  const auto both =
+      render({{0, 10, 20, 40, kObject, 0}, {10, 24, 20, 40, kObject, kId}, {0, 24, 40, 50, kObject / 2, 0}});
+  expect_fills(grow(alone, both, {10, 20, 14, 20}, back(10)), both.ids, {0, 20, 24, 20});
+}
+
+TEST(Grow, LeavesWhatTheSegmentationSaw) {
+  // Depth reaches beyond the outline. Where the segmented frame shows the wall, or something at the object's depth that
+  // was not given to it, nothing of the object was hidden.
+  const auto current = render({{30, 46, 20, 40, kObject, kId}, {46, 54, 20, 40, kObject, 0}});
+  for (const float beside : {kFar, kObject}) {
+    const auto segmented = render({{20, 36, 20, 40, kObject, kId}, {36, 44, 20, 40, beside, 0}});
+    expect_unchanged(grow(segmented, current, {30, 20, 16, 20}, back(10)), current.ids, {30, 20, 16, 20});
+  }
+}
+
+}  // namespace

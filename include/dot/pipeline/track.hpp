@@ -34,7 +34,7 @@ struct Track {
   int confirmed = 0;               ///< of those, fits that agreed with the ones before, less those that did not
   double support = 0;              ///< of those, share of the mask that contradicts a standing scene; smoothed
   bool visible = false;
-  int contradictions = 0;  ///< segmentations in a row that do not show it where it should be seen
+  bool contradicted = false;  ///< the last segmentation did not show it where it should be seen
 
   // Its motion.
   std::deque<ObjectReference> references;     ///< newest first

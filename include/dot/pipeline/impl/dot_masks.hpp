@@ -145,20 +145,17 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
       if (motion_holds) extend_template(t.predicted.hidden, t.outline);
       t.T_cur_outline = {};
       t.outline_is_newest = true;
-      t.contradictions = 0;
+      t.contradicted = false;
       t.visible = true;
     } else {
       if (segmented_) t.outline_is_newest = false;
       t.mask = t.predicted.mask;
       t.visible = t.mask.area >= options_.mask.min_pixels;
-      // A network drops an instance now and then. What it does not show again and again is gone: its motion was lost.
-      // What stands is kept, its outline follows from the camera's motion.
-      if (t.visible && segmented_ && !t.discovered) ++t.contradictions;
-      if (t.contradictions > 1 && t.state != State::Static &&
-          current_.timestamp - t.last_seen > 0.5 * options_.mask.keep_seconds)
-        t.visible = false;
+      // What the last segmentation should have shown and did not may be missed or gone; fits may have locked onto
+      // something else. It is carried on, but counts as seen only once a network shows it again.
+      if (t.visible && segmented_ && !t.discovered) t.contradicted = true;
     }
-    const bool follows = t.discovered ? !t.candidate : t.contradictions == 0;
+    const bool follows = t.discovered ? !t.candidate : !t.contradicted;
     if (t.observed || (follows && t.visible && t.fit.ok())) t.last_seen = current_.timestamp;
     if (!t.visible) t.fit.reason = t.fit.ok() ? Reason::Hidden : t.fit.reason;
     const bool was_shown = !t.discovered || t.confirmed > 0 || stands(t);

@@ -167,51 +167,6 @@ TEST(Template, NeedsSomeDepth) {
   EXPECT_TRUE(found.mask.empty());
 }
 
-TEST(Template, KeepsWhatSomethingNearerHides) {
-  MaskTemplate before, now;
-  ASSERT_TRUE(dot::make_template(object_mask(), scene().view(), kTolerance, before));
-
-  // A post hides the left end; at the top one looks past the object.
-  const auto post = [](int u) { return u < 45; };
-  const auto gone = [](int u, int v) { return u >= 45 && v < 25; };
-  Image<float> q = scene();
-  for (int v = 0; v < kHeight; ++v)
-    for (int u = 0; u < kWidth; ++u) q(u, v) = post(u) ? 0.9f : gone(u, v) ? 0.02f : q(u, v);
-  dot::WarpWorkspace workspace;
-  dot::WarpedMask predicted;
-  const dot::Pinhole camera(dot::Intrinsics{100, 100, 60, 40, kWidth, kHeight, 0});
-  dot::warp(before, {}, camera, q.view(), kTolerance, workspace, predicted);
-
-  Mask shown;  // reaches over the post by two columns
-  dot::fill_mask(
-      {0, 0, kWidth, kHeight}, [&](int u, int v) { return in_object(u, v) && u >= 43 && !gone(u, v); }, shown);
-  ASSERT_TRUE(dot::make_template(shown, q.view(), kTolerance, now));
-  MaskTemplate found = now;
-  dot::extend_template(predicted.hidden, found);
-  EXPECT_LT(found.mask.x, shown.x);
-  EXPECT_EQ(found.median, now.median);
-  int area = 0;
-  for (int v = 0; v < kHeight; ++v) {
-    for (int u = 0; u < kWidth; ++u) {
-      const bool expected = in_object(u, v) && !gone(u, v);
-      area += expected;
-      ASSERT_EQ(found.mask.at(u, v), expected) << u << ' ' << v;
-      if (!expected) continue;
-      const float depth = found.inverse_depth(u - found.mask.x, v - found.mask.y);
-      if (shown.at(u, v)) {
-        ASSERT_EQ(depth, now.inverse_depth(u - shown.x, v - shown.y)) << "the newer depth";
-      } else {
-        ASSERT_NEAR(depth / surface(u, v), 1, 0.03) << u << ' ' << v;
-      }
-    }
-  }
-  EXPECT_EQ(found.mask.area, area);
-
-  MaskTemplate none;
-  dot::extend_template(found, none);
-  EXPECT_TRUE(none.mask.empty()) << "without a template of the present there is nothing to extend";
-}
-
 TEST(Template, MayBeMadeFromItsOwnMaskWithUsedBuffers) {
   dot::TemplateWorkspace workspace;
   MaskTemplate expected, found;

@@ -135,33 +135,6 @@ inline void make_flat_template(const Mask& mask, double inverse_depth, MaskTempl
       out.inverse_depth(u, v) = mask.pixels(u, v) ? static_cast<float>(inverse_depth) : 0.0f;
 }
 
-/// Adds what of the object is hidden at present, so that it is known when it comes out again: the pixels of `hidden`
-/// that the template does not have.
-inline void extend_template(const MaskTemplate& hidden, MaskTemplate& out) {
-  if (hidden.mask.empty() || out.mask.empty()) return;
-  const MaskTemplate shown = out;
-  const Mask &a = shown.mask, &b = hidden.mask;
-  Mask& mask = out.mask;
-  mask.x = std::min(a.x, b.x);
-  mask.y = std::min(a.y, b.y);
-  const int width = std::max(a.x + a.width(), b.x + b.width()) - mask.x;
-  const int height = std::max(a.y + a.height(), b.y + b.height()) - mask.y;
-  mask.pixels.resize(width, height);
-  mask.pixels.fill(0);
-  mask.area = 0;
-  out.inverse_depth.resize(width, height);
-  out.inverse_depth.fill(0);
-  for (const MaskTemplate* part : {&shown, &hidden})
-    for (int v = 0; v < part->mask.height(); ++v)
-      for (int u = 0; u < part->mask.width(); ++u) {
-        const int x = part->mask.x + u - mask.x, y = part->mask.y + v - mask.y;
-        if (!part->mask.pixels(u, v) || mask.pixels(x, y)) continue;
-        mask.pixels(x, y) = 255;
-        ++mask.area;
-        out.inverse_depth(x, y) = part->inverse_depth(u, v);
-      }
-}
-
 /// make_template with buffers of its own.
 inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth, double tolerance, MaskTemplate& out) {
   TemplateWorkspace workspace;

@@ -21,7 +21,6 @@ DOT_BEGIN_NAMESPACE
 struct WarpedMask {
   Mask mask;
   Image<float> inverse_depth;  ///< 1/m, predicted; same crop, 0 outside the mask
-  MaskTemplate hidden;         ///< its part inside the image that something nearer hides, as predicted
   double expected_area = 0;    ///< pixels it would have in an endless image with nothing in front of it
   int inside_area = 0;         ///< pixels inside the image, before trimming
 };
@@ -159,18 +158,6 @@ inline void draw_surface(WarpWorkspace& w, const Box& box) {
   }
 }
 
-/// Number of pixels and the box that holds them.
-struct Extent {
-  int area = 0;
-  int left = 0, right = 0, top = 0, bottom = 0;
-  void add(int x, int y) {
-    left = area > 0 ? std::min(left, x) : x;
-    right = area > 0 ? std::max(right, x) : x;
-    if (area++ == 0) top = y;
-    bottom = y;
-  }
-};
-
 /// Whether the mask, interpolated bilinearly at (u, v) of its crop, is at least one half.
 inline bool covers(const Image<std::uint8_t>& mask, float u, float v) {
   if (!(u > -1 && v > -1 && u < static_cast<float>(mask.width()) && v < static_cast<float>(mask.height())))
@@ -208,8 +195,8 @@ void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& 
   double outside = 0;
   const SE3f T = T_cur_template.template cast<float>();
   const warping::Box box = warping::move_template(source, T, camera, workspace, outside);
-  int inside = 0;
-  warping::Extent shown, hidden;
+  int area = 0, inside = 0;
+  int left = box.x1, right = box.x0 - 1, top = box.y1, bottom = box.y0 - 1;
   Image<float>& surface = workspace.surface;
   if (box.x0 < box.x1 && box.y0 < box.y1) {
     warping::draw_surface(workspace, box);
@@ -226,35 +213,30 @@ void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& 
         const float q = std::exchange(line[i], 0.0f);
         if (!(q > 0) || !(pz[i] > 0) || !warping::covers(mask.pixels, pu[i] - mask_x, pv[i] - mask_y)) continue;
         ++inside;
-        const float excess = trim && measured[i] > 0 && std::isfinite(measured[i]) ? measured[i] / q - 1 : 0.0f;
-        if (excess < -limit) continue;
-        line[i] = excess > limit ? -q : q;
-        (excess > limit ? hidden : shown).add(box.x0 + i, v);
+        if (trim && measured[i] > 0 && std::isfinite(measured[i]) && std::abs(measured[i] - q) > limit * q) continue;
+        line[i] = q;
+        ++area;
+        left = std::min(left, box.x0 + i);
+        right = std::max(right, box.x0 + i);
+        top = std::min(top, v);
+        bottom = v;
       }
     }
   }
 
   out.inside_area = inside;
   out.expected_area = inside + outside;
-  const auto cut = [&](const warping::Extent& extent, float sign, Mask& mask, Image<float>& inverse_depth) {
-    mask.area = extent.area;
-    mask.x = extent.area > 0 ? extent.left : 0;
-    mask.y = extent.area > 0 ? extent.top : 0;
-    const int width = extent.area > 0 ? extent.right - extent.left + 1 : 0;
-    const int height = extent.area > 0 ? extent.bottom - extent.top + 1 : 0;
-    mask.pixels.resize(width, height);
-    inverse_depth.resize(width, height);
-    for (int v = 0; v < height; ++v) {
-      const float* from = surface.row(v + mask.y - box.y0) + (mask.x - box.x0);
-      float* q = inverse_depth.row(v);
-      std::transform(from, from + width, q, [sign](float value) { return std::max(sign * value, 0.0f); });
-      std::transform(q, q + width, mask.pixels.row(v), [](float value) { return std::uint8_t(value > 0 ? 255 : 0); });
-    }
-  };
-  cut(shown, 1, out.mask, out.inverse_depth);
-  cut(hidden, -1, out.hidden.mask, out.hidden.inverse_depth);
-  out.hidden.median = source.median;
-  out.hidden.measured = source.measured;
+  out.mask.area = area;
+  out.mask.x = area > 0 ? left : 0;
+  out.mask.y = area > 0 ? top : 0;
+  const int width = area > 0 ? right - left + 1 : 0, height = area > 0 ? bottom - top + 1 : 0;
+  out.mask.pixels.resize(width, height);
+  out.inverse_depth.resize(width, height);
+  for (int v = 0; v < height; ++v) {
+    const float* from = surface.row(v + top - box.y0) + (left - box.x0);
+    std::copy_n(from, width, out.inverse_depth.row(v));
+    std::transform(from, from + width, out.mask.pixels.row(v), [](float q) { return std::uint8_t(q > 0 ? 255 : 0); });
+  }
 }
 
 DOT_END_NAMESPACE

@@ -22,6 +22,7 @@ struct ObjectSettings {
   double min_inlier_share = 0.4;     ///< of the visible points
   double min_depth_agreement = 0.5;  ///< share of the points that the measured depth confirms
   double max_speed = 70;             ///< m/s
+  double max_acceleration = 12;      ///< m/s^2
   double search_speed = 30;          ///< m/s: reach of the velocity hypotheses of a new object
   double reference_seconds = 0.4;    ///< age of the oldest reference used for slow objects
 };

@@ -104,6 +104,7 @@ class Dot {
   void support(TrackT& object);
   void associate();
   void follow(TrackT& object);
+  KnownVelocity known_velocity(const TrackT& object, const ObjectReference& r) const;
   std::vector<SE3d> starts(const TrackT& object, const ObjectReference& reference);
   Vector3<double> anchor(const Mask& mask) const;
   void advance(TrackT& object);

@@ -37,6 +37,13 @@ struct ObjectScene {
   ImageView<const std::uint8_t> hidden;  ///< non-zero where a nearer object was found already
 };
 
+/// Velocity that an object had, against which a fit is held: things do not change their velocity at will.
+struct KnownVelocity {
+  Vector3<double> velocity = Vector3<double>::Zero();    ///< m/s, axes of the reference
+  Matrix3<double> covariance = Matrix3<double>::Zero();  ///< (m/s)^2
+  double seconds = 0;                                    ///< since the object had it; 0: nothing is known
+};
+
 /// One object's motion over one interval, with the reason where there is none.
 struct ObjectFit {
   Reason reason = Reason::Diverged;
@@ -59,7 +66,7 @@ struct ObjectMotionEstimator {
   /// @param starts of T_o, in the reference camera's axes, the most trusted first.
   template <typename Camera, typename Noise, typename Aligner>
   ObjectFit fit(const ObjectReference& reference, const ObjectScene<Camera>& scene, const std::vector<SE3d>& starts,
-                double dt, const Noise& noise, Aligner& aligner) const {
+                const KnownVelocity& known, double dt, const Noise& noise, Aligner& aligner) const {
     ObjectFit out;
     const AlignProblem<Camera> problem = make_problem(reference, scene, dt, noise);
     if (reference.points.size() < settings.min_points) {
@@ -89,7 +96,7 @@ struct ObjectMotionEstimator {
       aligner.finish(problem, a);
       ObjectFit attempt;
       fill(reference, a, problem, scene, dt, noise, attempt);
-      attempt.reason = check(reference, a, attempt);
+      attempt.reason = check(reference, a, attempt, known);
       if (i == 0 || attempt.ok()) out = attempt;
       if (attempt.ok()) break;
     }
@@ -234,7 +241,19 @@ struct ObjectMotionEstimator {
                                                     Vector3<double>(reference.T_cur_ref * moved));
   }
 
-  Reason check(const ObjectReference& reference, const Alignment& a, const ObjectFit& out) const {
+  /// Whether the velocity differs from the known one by more than the fit's and its errors (three sigma) and an
+  /// acceleration explain: such a fit has locked onto something else, mostly onto what stands behind a mover.
+  bool contradicts(const MotionEstimate& motion, const KnownVelocity& known) const {
+    if (!(known.seconds > 0)) return false;
+    const Vector3<double> d = motion.velocity - known.velocity;
+    const double change = d.norm() - settings.max_acceleration * known.seconds;
+    if (!(change > 0)) return false;
+    const Vector3<double> along = d.normalized();
+    return change * change > 9 * along.dot((motion.covariance + known.covariance) * along);
+  }
+
+  Reason check(const ObjectReference& reference, const Alignment& a, const ObjectFit& out,
+               const KnownVelocity& known) const {
     if (!a.state.T.t.allFinite() || !a.covariance.allFinite()) return Reason::Diverged;
     if (a.inside < settings.min_points || a.inside < settings.min_visible * reference.points.size())
       return Reason::LeavesImage;
@@ -244,7 +263,7 @@ struct ObjectMotionEstimator {
       return Reason::TooFewInliers;
     if (a.with_depth >= settings.min_inliers && a.depth_agrees < settings.min_depth_agreement * a.with_depth)
       return Reason::DepthDisagrees;
-    if (out.motion.velocity.norm() > settings.max_speed) return Reason::Implausible;
+    if (out.motion.velocity.norm() > settings.max_speed || contradicts(out.motion, known)) return Reason::Implausible;
     return Reason::None;
   }
 };

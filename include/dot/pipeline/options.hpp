@@ -67,6 +67,7 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(object.min_inlier_share);
   DOT_OPTION(object.min_depth_agreement);
   DOT_OPTION(object.max_speed);
+  DOT_OPTION(object.max_acceleration);
   DOT_OPTION(object.search_speed);
   DOT_OPTION(object.reference_seconds);
   DOT_OPTION(motion_prior.rotation);

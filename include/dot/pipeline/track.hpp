@@ -51,6 +51,7 @@ struct Track {
   double p_moving = 0.5;
   Vector3<double> velocity = Vector3<double>::Zero();  ///< fused, newest camera's axes
   Matrix3<double> velocity_covariance = Matrix3<double>::Zero();
+  double last_fit = 0;   ///< timestamp of the frame of the last accepted fit
   double last_seen = 0;  ///< timestamp
   bool lost = false;     ///< to be dropped before the next frame
 

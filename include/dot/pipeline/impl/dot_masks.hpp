@@ -135,14 +135,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
   start_tracks();
   for (TrackT& t : tracks_) {
     if (t.observed) {
-      const bool motion_holds =
-          (t.fit.ok() || t.state == State::Static) && containment(*t.observed, t.predicted.mask) > 0.5;
       t.mask = *t.observed;
       const double q = t.outline.median > 0 ? t.outline.median : 1 / options_.selection.max_depth;
       if (!make_template(t.mask, current_.inverse_depth().view(), options_.mask.depth_tolerance, template_workspace_,
                          t.outline))
         make_flat_template(t.mask, q, t.outline);
-      if (motion_holds) extend_template(t.predicted.hidden, t.outline);
       t.T_cur_outline = {};
       t.outline_is_newest = true;
       t.contradicted = false;

@@ -62,7 +62,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     std::vector<SE3d> T_o = starts(object, reference);
     if (!object.has_motion && &reference == &object.references.front())
       for (const SE3d& T : object_estimator.search(reference, scene, age, noise, aligner)) T_o.push_back(T);
-    return object_estimator.fit(reference, scene, T_o, age, noise, aligner);
+    return object_estimator.fit(reference, scene, T_o, known_velocity(object, reference), age, noise, aligner);
   };
   const auto decide_by = [&](const ObjectReference& reference, const MotionEstimate& motion) {
     if (object.has_decisive && motion.covariance.trace() >= object.decisive.covariance.trace()) return;
@@ -95,13 +95,23 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     const ObjectReference& older = object.references[static_cast<std::size_t>(k)];
     const SE3d start = older.T_cur_ref.inverse() * T_c * object.T_o * older.T_obj_cur_ref;
     const ObjectFit long_fit =
-        object_estimator.fit(older, scene, {start}, current_.timestamp - older.timestamp, noise, aligner);
+        object_estimator.fit(older, scene, {start}, known_velocity(object, older), current_.timestamp - older.timestamp, noise, aligner);
     if (!long_fit.ok()) continue;
     decide_by(older, long_fit.motion);
     const ObjectFit shared =
         object_estimator.over_last_interval(long_fit, T_c.inverse() * older.T_cur_ref, current_.dt);
     if (object.fit.ok() && shared.motion.covariance.trace() < object.fit.motion.covariance.trace()) object.fit = shared;
   }
+}
+
+/// The fused velocity of an object that moves for certain; of others none is known well enough to refuse a fit for it.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+KnownVelocity Dot<Camera, Classifier, Noise, Aligner>::known_velocity(const TrackT& object,
+                                                                     const ObjectReference& r) const {
+  if (object.state != State::Moving || object.always_dynamic) return {};
+  const Matrix3<double> R_ref_prev = r.T_cur_ref.R.transpose() * camera_state_.T_cur_prev.R;
+  return {R_ref_prev * object.velocity, R_ref_prev * object.velocity_covariance * R_ref_prev.transpose(),
+          current_.timestamp - std::min(object.last_fit, r.timestamp)};
 }
 
 /// Where the alignment begins, the most trusted first: as predicted, standing still, moving as in the interval before,
@@ -183,6 +193,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object) {
   object.T_cur_outline = T_c * (object.state == State::Static ? SE3d{} : object.T_o) * object.T_cur_outline;
   // The same motion seen from this camera: the prediction for the next interval.
   object.has_motion = fitted;
+  if (fitted) object.last_fit = current_.timestamp;
   if (fitted) object.T_o_last = T_c * object.fit.T_o * T_c.inverse();
   warp_outline(object, object.T_cur_outline);
 }

@@ -12,25 +12,36 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Which predicted mask each observed one continues: the assignment that minimises the sum of 1 - IoU, over pairs with
-/// IoU >= min_iou, or of which one covers min_containment of the smaller (a mask split, merged or half occluded).
+/// An object's outline and where it is.
+struct Outline {
+  const Mask* mask = nullptr;
+  double inverse_depth = 0;  ///< 1/m, median; 0 where it is not known
+};
+
+/// Which predicted outline each observed one continues: the assignment that minimises the sum of 1 - IoU, over pairs
+/// with IoU >= min_iou, or of which one covers min_containment of the smaller (a mask split, merged or half occluded).
+/// Where the two overlap poorly, IoU < 2 min_iou, and one is more than twice as far as the other, one passes behind the
+/// other. (Depth under a ragged mask may be its neighbour's: it does not break up what overlaps well.)
 ///
 /// Every mask has at most one partner. One that has none counts like an overlap of zero, so that a good pair is never
 /// broken up for the sake of two poor ones.
 /// @return for each observed mask the index of its predicted one, or -1.
-inline std::vector<int> associate(const std::vector<const Mask*>& predicted, const std::vector<const Mask*>& observed,
+inline std::vector<int> associate(const std::vector<Outline>& predicted, const std::vector<Outline>& observed,
                                   const MaskSettings& settings) {
   const std::size_t n = predicted.size();
   std::vector<double> cost(observed.size() * n, 1.0);
   std::vector<char> allowed(cost.size(), 0);
   for (std::size_t i = 0; i < observed.size(); ++i) {
     for (std::size_t j = 0; j < n; ++j) {
-      const Mask &a = *observed[i], &b = *predicted[j];
+      const Mask &a = *observed[i].mask, &b = *predicted[j].mask;
       const int both = overlap(a, b);
       if (both == 0) continue;
       const double share = static_cast<double>(both) / (a.area + b.area - both);
       const double covered = static_cast<double>(both) / std::min(a.area, b.area);
       if (share < settings.min_iou && covered < settings.min_containment) continue;
+      const double q = observed[i].inverse_depth, expected = predicted[j].inverse_depth;
+      const bool apart = q > 0 && expected > 0 && std::max(q, expected) > 2 * std::min(q, expected);
+      if (apart && share < 2 * settings.min_iou) continue;
       cost[i * n + j] = 1 - share;
       allowed[i * n + j] = 1;
     }

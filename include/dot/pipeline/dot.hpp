@@ -88,6 +88,7 @@ class Dot {
     bool always_dynamic = false;
     bool discovered = false;  ///< by its motion, not by a network
     const TrackT* track = nullptr;
+    Vector3<double> centre = Vector3<double>::Zero();  ///< as `anchor` says
   };
 
   void build(const Frame& frame);
@@ -110,6 +111,8 @@ class Dot {
   void advance(TrackT& object);
   void match(const std::vector<TrackT*>& tracks);
   void match(const std::vector<TrackT*>& tracks, bool discovered);
+  void give(Observed& o, TrackT& t);
+  void find_again();
   void follow_and_decide();
   void start_tracks();
   void decide(TrackT& object);

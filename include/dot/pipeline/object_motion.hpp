@@ -9,6 +9,7 @@
 #include "dot/align/aligner.hpp"
 #include "dot/motion/disparity.hpp"
 #include "dot/motion/estimate.hpp"
+#include "dot/motion/known_velocity.hpp"
 #include "dot/motion/settings.hpp"
 #include "dot/pipeline/result.hpp"
 
@@ -35,13 +36,6 @@ struct ObjectScene {
   const Camera& camera;
   const DepthPyramid& depth;             ///< of the frame
   ImageView<const std::uint8_t> hidden;  ///< non-zero where a nearer object was found already
-};
-
-/// Velocity that an object had, against which a fit is held: things do not change their velocity at will.
-struct KnownVelocity {
-  Vector3<double> velocity = Vector3<double>::Zero();    ///< m/s, axes of the reference
-  Matrix3<double> covariance = Matrix3<double>::Zero();  ///< (m/s)^2
-  double seconds = 0;                                    ///< since the object had it; 0: nothing is known
 };
 
 /// One object's motion over one interval, with the reason where there is none.
@@ -127,14 +121,32 @@ struct ObjectMotionEstimator {
                            const Noise& noise, Aligner& aligner) const {
     if (reference.points.size() < settings.min_points) return {};
     const AlignProblem<Camera> problem = make_problem(reference, scene, dt, noise);
-    const int level = std::min({2, reference.points.levels - 1, scene.image.size() - 1});
+    const int levels = std::min(reference.points.levels, scene.image.size());
+    const int fine = std::min(2, levels - 1);
+    std::vector<SE3d> starts;
+    search(reference, scene, problem, fine, dt, 8, aligner, starts);
+    // What is large may move by many pixels of that level between two frames: also on one where these are few, if the
+    // object still has some structure there.
+    const double focal = scene.camera.intrinsics().fx, half_size = 0.5 * std::sqrt(1.0 * reference.area);
+    const double pixels = settings.search_speed * dt * focal / std::max(0.1, reference.centroid.z());
+    int coarse = fine;
+    while (coarse + 1 < levels && half_size > 6 << (coarse + 1) && pixels > 16 << coarse) ++coarse;
+    if (coarse > fine) search(reference, scene, problem, coarse, dt, 16, aligner, starts);
+    return starts;
+  }
+
+ private:
+  /// Adds the three best velocities of a grid on one level, up to `steps` to each side.
+  template <typename Camera, typename Aligner>
+  void search(const ObjectReference& reference, const ObjectScene<Camera>& scene, const AlignProblem<Camera>& problem,
+              int level, double dt, int steps, Aligner& aligner, std::vector<SE3d>& starts) const {
     const AlignState still{problem.T_outer, reference.gain, reference.offset};
     const double sigma = aligner.intensity_sigma(problem, still, level);
     // Steps of two pixels of that level sideways; along the ray as far as makes the same change of scale at the border.
     const double z = std::max(0.1, reference.centroid.z()), reach = settings.search_speed * dt;
     const double focal = scene.camera.intrinsics().fx / (1 << level);
     const double half_size = std::max(2.0, 0.5 * std::sqrt(1.0 * reference.area) / (1 << level));
-    const double side = std::max(2 * z / focal, reach / 8), along = std::max(z / half_size, reach / 6);
+    const double side = std::max(2 * z / focal, reach / steps), along = std::max(z / half_size, reach / 6);
     std::vector<std::pair<double, SE3d>> found;
     for (double dz = -std::floor(reach / along) * along; dz <= reach; dz += along)
       for (double dx = -std::floor(reach / side) * side; dx <= reach; dx += side) {
@@ -145,12 +157,9 @@ struct ObjectMotionEstimator {
     const std::size_t keep = std::min<std::size_t>(found.size(), 3);
     std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(keep), found.end(),
                       [](const auto& l, const auto& r) { return l.first < r.first; });
-    std::vector<SE3d> starts;
     for (std::size_t i = 0; i < keep; ++i) starts.push_back(found[i].second);
-    return starts;
   }
 
- private:
   template <typename Camera, typename Noise>
   AlignProblem<Camera> make_problem(const ObjectReference& reference, const ObjectScene<Camera>& scene, double dt,
                                     const Noise& noise) const {
@@ -241,17 +250,6 @@ struct ObjectMotionEstimator {
                                                     Vector3<double>(reference.T_cur_ref * moved));
   }
 
-  /// Whether the velocity differs from the known one by more than the fit's and its errors (three sigma) and an
-  /// acceleration explain: such a fit has locked onto something else, mostly onto what stands behind a mover.
-  bool contradicts(const MotionEstimate& motion, const KnownVelocity& known) const {
-    if (!(known.seconds > 0)) return false;
-    const Vector3<double> d = motion.velocity - known.velocity;
-    const double change = d.norm() - settings.max_acceleration * known.seconds;
-    if (!(change > 0)) return false;
-    const Vector3<double> along = d.normalized();
-    return change * change > 9 * along.dot((motion.covariance + known.covariance) * along);
-  }
-
   Reason check(const ObjectReference& reference, const Alignment& a, const ObjectFit& out,
                const KnownVelocity& known) const {
     if (!a.state.T.t.allFinite() || !a.covariance.allFinite()) return Reason::Diverged;
@@ -263,7 +261,8 @@ struct ObjectMotionEstimator {
       return Reason::TooFewInliers;
     if (a.with_depth >= settings.min_inliers && a.depth_agrees < settings.min_depth_agreement * a.with_depth)
       return Reason::DepthDisagrees;
-    if (out.motion.velocity.norm() > settings.max_speed || contradicts(out.motion, known)) return Reason::Implausible;
+    if (out.motion.velocity.norm() > settings.max_speed || known.contradicts(out.motion, settings.max_acceleration))
+      return Reason::Implausible;
     return Reason::None;
   }
 };

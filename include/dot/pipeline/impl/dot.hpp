@@ -175,6 +175,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
            current_.timestamp - object.references.back().timestamp > options_.object.reference_seconds + 1e-6)
       object.references.pop_back();
     if (stands(object)) continue;
+    const Vector3<double> centre = anchor(object.mask);
+    if (object.visible && centre.z() > 0) {
+      object.position = centre;
+      object.size = std::max(object.size, std::sqrt(1.0 * object.mask.area) * centre.z() / camera_.intrinsics().fx);
+    }
     if (!object.visible || object.mask.area < options_.selection.min_object_pixels) {
       object.no_reference = object.visible ? Reason::TooFewPixels : Reason::Hidden;
       continue;
@@ -192,7 +197,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
     for (std::size_t i = 0; i < r.points.u.size(); ++i) x += r.points.x[i], y += r.points.y[i], q += r.points.q[i];
     const double n = r.points.size();
     r.centroid = Vector3<double>(x / n, y / n, 1) / (q / n);
-    r.anchor = anchor(object.mask);
+    r.anchor = centre;
     r.area = found.pixels_with_depth;
     r.timestamp = current_.timestamp;
     object.references.push_front(std::move(r));

@@ -48,6 +48,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::discover() {
   for (Mask& mask : discovery_.masks) {
     Observed o;
     o.mask = std::move(mask);
+    o.centre = anchor(o.mask);
     o.discovered = true;
     observed_.push_back(std::move(o));
   }

@@ -31,6 +31,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::predict_tracks() {
     }
     const bool moves = t.state == State::Moving || t.p_moving > 0.5;
     t.T_o_predicted = moves ? SE3d::translation(t.velocity * current_.dt) : SE3d{};
+    t.position_before = t.position;
+    t.position = c.T_cur_prev * t.T_o_predicted * t.position;
     warp_outline(t, c.T_cur_prev * t.T_o_predicted * t.T_cur_outline);
   }
 }
@@ -76,6 +78,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::read_masks(const Frame& frame) {
   }
   observed_.erase(std::remove_if(observed_.begin(), observed_.end(), [](const Observed& o) { return o.mask.empty(); }),
                   observed_.end());
+  for (Observed& o : observed_) o.centre = anchor(o.mask);
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -102,26 +105,56 @@ void Dot<Camera, Classifier, Noise, Aligner>::match(const std::vector<TrackT*>& 
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::match(const std::vector<TrackT*>& tracks, bool discovered) {
-  std::vector<const Mask*> predicted, observed;
+  std::vector<Outline> predicted, observed;
   std::vector<Observed*> open;
-  for (const TrackT* t : tracks) predicted.push_back(&t->predicted.mask);
+  const auto inverse = [](const Vector3<double>& centre) { return centre.z() > 0 ? 1 / centre.z() : 0.0; };
+  for (const TrackT* t : tracks) predicted.push_back({&t->predicted.mask, inverse(t->position)});
   for (Observed& o : observed_)
-    if (!o.track && o.discovered == discovered) open.push_back(&o), observed.push_back(&o.mask);
+    if (!o.track && o.discovered == discovered) open.push_back(&o), observed.push_back({&o.mask, inverse(o.centre)});
   if (open.empty() || predicted.empty()) return;
   const std::vector<int> partner = dot::associate(predicted, observed, options_.mask);
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    if (partner[i] < 0) continue;
-    TrackT& t = *tracks[static_cast<std::size_t>(partner[i])];
-    open[i]->track = &t;
-    t.observed = &open[i]->mask;
-    if (discovered) continue;
-    t.segmented = true;
-    t.discovered = t.candidate = false;
-    t.instance_id = open[i]->instance_id;
-    t.class_id = open[i]->class_id;
-    t.score = open[i]->score;
-    t.always_dynamic = open[i]->always_dynamic;
+  for (std::size_t i = 0; i < open.size(); ++i)
+    if (partner[i] >= 0) give(*open[i], *tracks[static_cast<std::size_t>(partner[i])]);
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::give(Observed& o, TrackT& t) {
+  o.track = &t;
+  t.observed = &o.mask;
+  t.observed_centre = o.centre;
+  if (o.discovered) return;
+  t.segmented = true;
+  t.discovered = t.candidate = false;
+  t.instance_id = o.instance_id;
+  t.class_id = o.class_id;
+  t.score = o.score;
+  t.always_dynamic = o.always_dynamic;
+}
+
+/// Continues tracks whose object was hidden and comes out again: what shows first is another part of it than was seen
+/// last, so that the outlines do not overlap. Where it is tells: within its size of where it should be.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::find_again() {
+  std::vector<TrackT*> hidden;
+  for (TrackT& t : tracks_)
+    if (!t.observed && t.position.z() > 0) hidden.push_back(&t);
+  std::vector<Observed*> open;
+  for (Observed& o : observed_)
+    if (!o.track && !o.discovered) open.push_back(&o);
+  std::vector<double> distance;
+  for (const Observed* o : open) {
+    const Vector3<double>& now = o->centre;
+    for (const TrackT* t : hidden) {
+      const Vector3<double>& then = t->position;
+      const double aside = (now.head<2>() / now.z() - then.head<2>() / then.z()).norm() * now.z() / t->size;
+      const double along = std::abs(now.z() / then.z() - 1) / std::max(options_.mask.depth_tolerance, t->size / now.z());
+      distance.push_back(now.z() > 0 && aside < 1 && along < 1 ? aside + along
+                                                               : std::numeric_limits<double>::infinity());
+    }
   }
+  const std::vector<int> partner = assign(distance, static_cast<int>(open.size()), static_cast<int>(hidden.size()));
+  for (std::size_t i = 0; i < open.size(); ++i)
+    if (partner[i] >= 0) give(*open[i], *hidden[static_cast<std::size_t>(partner[i])]);
 }
 
 /// Masks of this frame: the network's where there is one, otherwise the outline moved by T_c T_o. What the network
@@ -132,6 +165,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
   for (TrackT& t : tracks_)
     if (!t.observed) unmatched.push_back(&t);
   match(unmatched);
+  find_again();
   start_tracks();
   for (TrackT& t : tracks_) {
     if (t.observed) {
@@ -174,6 +208,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::start_tracks() {
     t.score = o.score;
     t.always_dynamic = o.always_dynamic;
     t.observed = &o.mask;
+    t.observed_centre = o.centre;
     t.segmented = !o.discovered;
     t.discovered = t.candidate = o.discovered;
     if (t.discovered) t.support = discovery_.support(o.mask);

@@ -104,14 +104,14 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
   }
 }
 
-/// The fused velocity of an object that moves for certain; of others none is known well enough to refuse a fit for it.
+/// The fused velocity, in the axes of a reference; nothing where it is not known well enough to refuse a fit for it.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 KnownVelocity Dot<Camera, Classifier, Noise, Aligner>::known_velocity(const TrackT& object,
-                                                                     const ObjectReference& r) const {
-  if (object.state != State::Moving || object.always_dynamic) return {};
+                                                                      const ObjectReference& r) const {
+  if (!object.trust.known() || object.always_dynamic) return {};
   const Matrix3<double> R_ref_prev = r.T_cur_ref.R.transpose() * camera_state_.T_cur_prev.R;
   return {R_ref_prev * object.velocity, R_ref_prev * object.velocity_covariance * R_ref_prev.transpose(),
-          current_.timestamp - std::min(object.last_fit, r.timestamp)};
+          current_.timestamp - std::min(object.trust.last_fit, r.timestamp)};
 }
 
 /// Where the alignment begins, the most trusted first: as predicted, standing still, moving as in the interval before,
@@ -133,8 +133,7 @@ std::vector<SE3d> Dot<Camera, Classifier, Noise, Aligner>::starts(const TrackT& 
   add(r.T_cur_ref.inverse() * T_c * object.T_o_predicted * r.T_obj_cur_ref);
   add(SE3d{});
   if (object.has_motion) add(r.T_cur_ref.inverse() * T_c * object.T_o_last * r.T_obj_cur_ref);
-  const auto add_observed = [&](const Mask& mask) {
-    const Vector3<double> now = anchor(mask);
+  const auto add_observed = [&](const Mask& mask, const Vector3<double>& now) {
     if (now.z() <= 0 || r.anchor.z() <= 0) return;
     const double seconds = current_.timestamp - r.timestamp;
     const Vector3<double> d = r.T_cur_ref.inverse() * now - r.anchor;
@@ -143,10 +142,10 @@ std::vector<SE3d> Dot<Camera, Classifier, Noise, Aligner>::starts(const TrackT& 
     if (size > 0.3 && size < 3.3) add(SE3d::translation(d));
   };
   if (object.observed)
-    add_observed(*object.observed);
+    add_observed(*object.observed, object.observed_centre);
   else
     for (const Observed& o : observed_)
-      if (!o.track && o.discovered == object.discovered) add_observed(o.mask);
+      if (!o.track && o.discovered == object.discovered) add_observed(o.mask, o.centre);
   return out;
 }
 
@@ -172,6 +171,14 @@ Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object) {
+  if (object.fit.ok()) {
+    const KnownVelocity before{object.velocity, object.velocity_covariance,
+                               current_.timestamp - object.trust.last_fit};
+    object.trust.accept(!before.contradicts(object.fit.motion, object_estimator.settings.max_acceleration),
+                        current_.timestamp);
+  } else if (object.fit.reason == Reason::Implausible) {
+    object.trust.refuse();
+  }
   if (object.discovered) confirm(object);
   const Decision d = classifier(object.memory, object.has_decisive ? &object.decisive : nullptr,
                                 camera_state_.T_cur_prev.R, current_.dt);
@@ -190,10 +197,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object) {
   const SE3d& T_c = camera_state_.T_cur_prev;
   const bool fitted = object.fit.ok();
   for (ObjectReference& r : object.references) r.T_obj_cur_ref = T_c * object.T_o * r.T_obj_cur_ref;
+  object.position = T_c * object.T_o * object.position_before;
   object.T_cur_outline = T_c * (object.state == State::Static ? SE3d{} : object.T_o) * object.T_cur_outline;
   // The same motion seen from this camera: the prediction for the next interval.
   object.has_motion = fitted;
-  if (fitted) object.last_fit = current_.timestamp;
   if (fitted) object.T_o_last = T_c * object.fit.T_o * T_c.inverse();
   warp_outline(object, object.T_cur_outline);
 }

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dot/motion/estimate.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Velocity that an object had a moment ago, against which fits are held: nothing changes its velocity at will.
+struct KnownVelocity {
+  Vector3<double> velocity = Vector3<double>::Zero();    ///< m/s
+  Matrix3<double> covariance = Matrix3<double>::Zero();  ///< (m/s)^2
+  double seconds = 0;                                    ///< since then; 0: nothing is known
+
+  /// Whether a fit in the same axes differs by more than errors (three sigma) and an acceleration, m/s^2, explain. Such
+  /// a fit has locked onto something else, mostly onto what stands behind a mover.
+  bool contradicts(const MotionEstimate& fit, double max_acceleration) const {
+    if (!(seconds > 0)) return false;
+    const Vector3<double> d = fit.velocity - velocity;
+    const double change = d.norm() - max_acceleration * seconds;
+    if (!(change > 0)) return false;
+    const Vector3<double> along = d.normalized();
+    return change * change > 9 * along.dot((fit.covariance + covariance) * along);
+  }
+};
+
+/// When an object's velocity is known: after fits that agreed, and no longer after as many that did not, lest a wrong
+/// one shuts out those that are right.
+struct VelocityTrust {
+  static constexpr int kFits = 3;
+  int agreeing = 0;     ///< fits in a row
+  int refused = 0;      ///< frames in a row
+  double last_fit = 0;  ///< timestamp
+
+  bool known() const { return agreeing >= kFits; }
+  void accept(bool agrees, double timestamp) {
+    agreeing = agrees ? agreeing + 1 : 1;
+    refused = 0;
+    last_fit = timestamp;
+  }
+  void refuse() {
+    if (++refused >= kFits) agreeing = 0;
+  }
+};
+
+DOT_END_NAMESPACE

@@ -256,7 +256,8 @@ struct ObjectMotionEstimator {
     if (a.inside < settings.min_points || a.inside < settings.min_visible * reference.points.size())
       return Reason::LeavesImage;
     if (a.seen < settings.min_inliers || a.seen < 0.3 * a.inside) return Reason::Occluded;
-    if (a.phi < settings.min_phi) return Reason::LowCorrelation;
+    const bool expected = known.seconds > 0 && !known.contradicts(out.motion, settings.max_acceleration);
+    if (a.phi < (expected ? settings.min_phi_expected : settings.min_phi)) return Reason::LowCorrelation;
     if (a.inliers < settings.min_inliers || a.inliers < settings.min_inlier_share * a.seen)
       return Reason::TooFewInliers;
     if (a.with_depth >= settings.min_inliers && a.depth_agrees < settings.min_depth_agreement * a.with_depth)

@@ -63,6 +63,7 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(object.min_points);
   DOT_OPTION(object.min_visible);
   DOT_OPTION(object.min_phi);
+  DOT_OPTION(object.min_phi_expected);
   DOT_OPTION(object.min_inliers);
   DOT_OPTION(object.min_inlier_share);
   DOT_OPTION(object.min_depth_agreement);

@@ -64,7 +64,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
       for (const SE3d& T : object_estimator.search(reference, scene, age, noise, aligner)) T_o.push_back(T);
     return object_estimator.fit(reference, scene, T_o, known_velocity(object, reference), age, noise, aligner);
   };
-  const auto decide_by = [&](const ObjectReference& reference, const MotionEstimate& motion) {
+  const auto decide_by = [&](const ObjectReference& reference, const ObjectFit& fit) {
+    const MotionEstimate& motion = fit.motion;
+    if (fit.phi < options_.object.min_phi) return;
     if (object.has_decisive && motion.covariance.trace() >= object.decisive.covariance.trace()) return;
     const Matrix3<double> R_prev_ref = T_c.R.transpose() * reference.T_cur_ref.R;
     object.decisive = motion;
@@ -80,7 +82,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     const ObjectFit fit = fit_to(reference);
     if (i == 0) object.fit = fit;
     if (!fit.ok()) continue;
-    decide_by(reference, fit.motion);
+    decide_by(reference, fit);
     object.T_o = T_c.inverse() * reference.T_cur_ref * fit.T_o * reference.T_obj_cur_ref.inverse();
     object.fit = object_estimator.over_last_interval(fit, T_c.inverse() * reference.T_cur_ref, current_.dt);
   }
@@ -97,7 +99,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     const ObjectFit long_fit =
         object_estimator.fit(older, scene, {start}, known_velocity(object, older), current_.timestamp - older.timestamp, noise, aligner);
     if (!long_fit.ok()) continue;
-    decide_by(older, long_fit.motion);
+    decide_by(older, long_fit);
     const ObjectFit shared =
         object_estimator.over_last_interval(long_fit, T_c.inverse() * older.T_cur_ref, current_.dt);
     if (object.fit.ok() && shared.motion.covariance.trace() < object.fit.motion.covariance.trace()) object.fit = shared;

@@ -111,6 +111,7 @@ versions() {
   [ -n "$version" ] || fail "include/dot/version.hpp has no DOT_VERSION_STRING"
   grep -q "\"version\": \"$version\"" vcpkg.json \
     || fail "vcpkg.json does not have version $version of include/dot/version.hpp"
+  grep -q "\"version\": \"$version\"" ports/dot/vcpkg.json || fail "ports/dot/vcpkg.json does not have version $version"
   IFS=. read -r major minor patch <<<"$version"
   number=$((major * 1000000 + minor * 1000 + patch))
   grep -q "^#define DOT_HEADER_VERSION $number$" capi/include/dot/dot.h \

@@ -1,9 +1,9 @@
 /* SPDX-FileCopyrightText: 2026 The dot authors */
 /* SPDX-License-Identifier: MIT */
 
-/* The header alone, twice, and all that it defines for initialisation: compiled as C99 and as C++98, never run. */
+/* The header before all others, twice, and all that it defines for initialisation: compiled as C99 and as C++98, never
+ * run. */
 
-#include "dot/dot.h"
 #include "dot/dot.h"
 
 extern const void* const dot_h_initial[];
@@ -19,5 +19,8 @@ static const dot_camera_result camera_result = DOT_CAMERA_RESULT_INIT;
 static const dot_object object = DOT_OBJECT_INIT;
 static const dot_exclusion_policy policy = DOT_EXCLUSION_POLICY_INIT;
 
-const void* const dot_h_initial[] = {&image, &camera, &options,       &instance, &masks, &camera_motion,
-                                     &frame, &object, &camera_result, &policy};
+const void* const dot_h_initial[] = {&image,         &camera, &options, &instance,      &masks,
+                                     &camera_motion, &frame,  &object,  &camera_result, &policy};
+
+/* The second time. */
+#include "dot/dot.h"

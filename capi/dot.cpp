@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -189,7 +190,7 @@ dot_status dot_create(const dot_camera* camera, const dot_options* options, dot_
     if (out == nullptr) invalid("out is NULL");
     *out = nullptr;
     const dot::Intrinsics intrinsics = read_camera(camera);
-    *out = new dot_tracker(intrinsics, read_options(options));
+    *out = std::make_unique<dot_tracker>(intrinsics, read_options(options)).release();
   });
 }
 

@@ -21,6 +21,8 @@ usage: ./dev.sh VERB
   lint       formatting, clang-tidy, versions; changes nothing
   versions   check that version.hpp, dot.h, vcpkg.json and CHANGELOG.md name the same version
   sanitize   run the tests with the address and undefined-behaviour sanitizers
+  abi        compare the C library's binary interface with capi/abi; "abi accept" writes the present one there
+  soak       10,000 trackers made and destroyed under the address sanitizer, two at once under the thread sanitizer
   help       this text
 
 Debian and Ubuntu packages that are missing are installed (as root, or through sudo). Elsewhere install them yourself:
@@ -109,6 +111,7 @@ versions() {
   [ -n "$version" ] || fail "include/dot/version.hpp has no DOT_VERSION_STRING"
   grep -q "\"version\": \"$version\"" vcpkg.json \
     || fail "vcpkg.json does not have version $version of include/dot/version.hpp"
+  grep -q "\"version\": \"$version\"" ports/dot/vcpkg.json || fail "ports/dot/vcpkg.json does not have version $version"
   IFS=. read -r major minor patch <<<"$version"
   number=$((major * 1000000 + minor * 1000 + patch))
   grep -q "^#define DOT_HEADER_VERSION $number$" capi/include/dot/dot.h \
@@ -139,6 +142,47 @@ sanitize() {
   ctest --preset asan-ubsan -j2
 }
 
+# abi [accept]: a change of the binary interface is a decision, and shows as one in a diff.
+abi() {
+  need_compiler
+  need abigail-tools
+  [ "$(uname -sm)" = 'Linux x86_64' ] || fail "capi/abi describes the library of 64-bit Linux on x86"
+  say "building the C library with debug information"
+  cmake -S "$root" -B "$root/build-abi" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DDOT_BUILD_TESTS=OFF -DDOT_BUILD_BENCH=OFF \
+    -DDOT_BUILD_EXAMPLES=OFF -DCMAKE_CXX_FLAGS="-ffile-prefix-map=$root/=" >/dev/null
+  cmake --build "$root/build-abi" --parallel "$jobs" --target dot_capi
+  local library=$root/build-abi/capi/libdot_capi.so now=$root/build-abi/libdot_capi.abi
+  abidw --exported-interfaces-only --headers-dir capi/include --drop-private-types --drop-undefined-syms --no-show-locs \
+    --no-comp-dir-path --no-corpus-path --no-elf-needed --out-file "$now" "$library"
+  if [ "${1:-}" = accept ]; then
+    cp "$now" capi/abi/libdot_capi.abi
+    nm -D --defined-only "$library" | sed -n 's/^[0-9a-f]* [^A] \([^@]*\).*/\1/p' | LC_ALL=C sort >capi/abi/exports.txt
+    git --no-pager diff --stat -- capi/abi
+  else
+    abidiff capi/abi/libdot_capi.abi "$now" || fail "not the interface of capi/abi; if it is meant: ./dev.sh abi accept"
+    echo "the interface of capi/abi"
+  fi
+}
+
+# soak: the C library alone, with sanitizers, in a process that does nothing else for a while.
+soak() {
+  need_compiler
+  local sanitizer
+  for sanitizer in address thread; do
+    say "building the C library's tests with -fsanitize=$sanitizer"
+    local flags="-fsanitize=$sanitizer -fno-omit-frame-pointer"
+    cmake -S "$root" -B "$root/build-soak-$sanitizer" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DDOT_BUILD_BENCH=OFF \
+      -DDOT_BUILD_EXAMPLES=OFF -DDOT_INSTALL=OFF -DCMAKE_C_FLAGS="$flags" -DCMAKE_CXX_FLAGS="$flags" >/dev/null
+    cmake --build "$root/build-soak-$sanitizer" --parallel "$jobs" --target test_cycles_test test_threads_test
+  done
+  say "10,000 trackers"
+  "$root/build-soak-address/tests/test_cycles_test" 10000
+  say "two trackers in two threads, and one in two"
+  # One thread for OpenCV: its pool is not built for the sanitizer, which therefore cannot see how it synchronises.
+  OPENCV_FOR_THREADS_NUM=1 "$root/build-soak-thread/tests/test_threads_test"
+  echo "nothing found"
+}
+
 verb=${1:-help}
 [ $# -eq 0 ] || shift
 case $verb in
@@ -148,6 +192,8 @@ case $verb in
   format) format ;;
   lint) lint ;;
   sanitize) sanitize ;;
+  abi) abi "$@" ;;
+  soak) soak ;;
   versions) versions ;;
   help | -h | --help)
     usage

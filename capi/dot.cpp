@@ -5,9 +5,10 @@
 #endif
 #include "dot/dot.h"
 
+#include <atomic>
 #include <cstdio>
 #include <cstring>
-#include <limits>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -48,6 +49,10 @@ struct dot_tracker {
   const dot::Result* result = nullptr;   // of the tracker's last frame; null when there is none
   std::vector<dot::Instance> instances;  // of the frame being tracked; here to keep its memory
   ErrorText error;
+  dot_log_function log = nullptr;
+  void* log_user = nullptr;
+  std::uint32_t camera_status = DOT_CAMERA_FIRST_FRAME;
+  std::atomic_flag busy = ATOMIC_FLAG_INIT;
 };
 
 namespace {
@@ -76,22 +81,65 @@ dot_status guard(ErrorText& error, Body&& body) noexcept {
   }
 }
 
+void log(const dot_tracker& tracker, std::uint32_t level, const char* text) noexcept {
+  if (tracker.log == nullptr) return;
+  try {
+    tracker.log(tracker.log_user, level, text);
+  } catch (...) {  // a host in C++ may throw; nobody here could answer it
+  }
+}
+
+/// Holds a tracker for the duration of one call.
+class Use {
+ public:
+  explicit Use(dot_tracker& tracker) noexcept
+      : busy_(tracker.busy), granted_(!busy_.test_and_set(std::memory_order_acquire)) {}
+  ~Use() {
+    if (granted_) busy_.clear(std::memory_order_release);
+  }
+  Use(const Use&) = delete;
+  Use& operator=(const Use&) = delete;
+
+  bool granted() const noexcept { return granted_; }
+
+ private:
+  std::atomic_flag& busy_;
+  bool granted_;
+};
+
 /// The same for a call on a tracker. Whatever interrupts one half-way leaves a state that nobody has planned; the
 /// tracker starts afresh from there.
 template <typename Body>
 dot_status guard(dot_tracker* tracker, Body&& body) noexcept {
   if (tracker == nullptr) return DOT_INVALID_ARGUMENT;
-  const dot_status status = guard(tracker->error, body);
+  const Use use(*tracker);
+  if (!use.granted()) return DOT_BUSY;
+  dot_status status = guard(tracker->error, body);
   if (status == DOT_OUT_OF_MEMORY || status == DOT_INTERNAL) {
     tracker->result = nullptr;
     try {
       tracker->tracker.reset();
     } catch (...) {
       tracker->error.set("the tracker could not be reset after a failure");
-      return DOT_INTERNAL;
+      status = DOT_INTERNAL;
     }
   }
+  if (status != DOT_OK) log(*tracker, DOT_LOG_ERROR, tracker->error.text);
   return status;
+}
+
+/// Tells when the camera's motion becomes a guess, and when it is known again.
+void log_camera(dot_tracker& tracker, std::uint32_t status) noexcept {
+  const auto guessed = [](std::uint32_t s) { return s == DOT_CAMERA_LOST || s == DOT_CAMERA_TOO_LITTLE_DEPTH; };
+  const std::uint32_t before = tracker.camera_status;
+  tracker.camera_status = status;
+  if (status == DOT_CAMERA_LOST && before != status) {
+    log(tracker, DOT_LOG_WARNING, "camera lost: its motion is guessed from the frames before");
+  } else if (status == DOT_CAMERA_TOO_LITTLE_DEPTH && before != status) {
+    log(tracker, DOT_LOG_WARNING, "too little depth: the camera's motion is guessed from the frames before");
+  } else if (guessed(before) && !guessed(status)) {
+    log(tracker, DOT_LOG_INFO, "the camera's motion is known again");
+  }
 }
 
 const dot::Result& result_of(const dot_tracker* tracker) {
@@ -103,6 +151,8 @@ const dot::Result& result_of(const dot_tracker* tracker) {
 
 uint32_t dot_version(void) noexcept { return DOT_HEADER_VERSION; }
 
+uint32_t dot_abi_version(void) noexcept { return DOT_ABI_VERSION; }
+
 const char* dot_status_string(dot_status status) noexcept {
   switch (status) {
     case DOT_OK: return "ok";
@@ -110,6 +160,7 @@ const char* dot_status_string(dot_status status) noexcept {
     case DOT_NO_RESULT: return "no result";
     case DOT_OUT_OF_MEMORY: return "out of memory";
     case DOT_INTERNAL: return "internal error";
+    case DOT_BUSY: return "busy";
     default: return "unknown status";
   }
 }
@@ -118,16 +169,19 @@ dot_status dot_options_init(dot_options* options, uint32_t struct_size) noexcept
   return guard(create_error, [&] {
     if (options == nullptr) invalid("options is NULL");
     check_size<dot_options>(struct_size, "options");
-    const dot::Options defaults;
-    dot_options out{};
+    dot_options out = DOT_OPTIONS_INIT;
     out.struct_size = struct_size;
-    out.classifier = DOT_CLASSIFIER_VELOCITY;
-    out.depth_source = DOT_DEPTH_UNKNOWN;
-    out.background_points = defaults.selection.background_points;
-    out.object_points = defaults.selection.object_points;
-    out.v0 = defaults.velocity.v0;
-    out.stereo_sigma_px = defaults.depth_noise.stereo_sigma_px;
     std::memcpy(options, &out, struct_size);
+  });
+}
+
+dot_status dot_exclusion_policy_init(dot_exclusion_policy* policy, uint32_t struct_size) noexcept {
+  return guard(create_error, [&] {
+    if (policy == nullptr) invalid("policy is NULL");
+    check_size<dot_exclusion_policy>(struct_size, "policy");
+    dot_exclusion_policy out = DOT_EXCLUSION_POLICY_INIT;
+    out.struct_size = struct_size;
+    std::memcpy(policy, &out, struct_size);
   });
 }
 
@@ -136,7 +190,7 @@ dot_status dot_create(const dot_camera* camera, const dot_options* options, dot_
     if (out == nullptr) invalid("out is NULL");
     *out = nullptr;
     const dot::Intrinsics intrinsics = read_camera(camera);
-    *out = new dot_tracker(intrinsics, read_options(options));
+    *out = std::make_unique<dot_tracker>(intrinsics, read_options(options)).release();
   });
 }
 
@@ -144,15 +198,26 @@ const char* dot_create_error(void) noexcept { return create_error.text; }
 
 void dot_destroy(dot_tracker* tracker) noexcept { delete tracker; }
 
+dot_status dot_set_log(dot_tracker* tracker, dot_log_function function, void* user) noexcept {
+  return guard(tracker, [&] {
+    tracker->log = function;
+    tracker->log_user = user;
+  });
+}
+
 dot_status dot_reset(dot_tracker* tracker) noexcept {
   return guard(tracker, [&] {
     tracker->result = nullptr;
+    tracker->camera_status = DOT_CAMERA_FIRST_FRAME;
     tracker->tracker.reset();
   });
 }
 
 dot_status dot_track(dot_tracker* tracker, const dot_frame* frame) noexcept {
-  return guard(tracker, [&] { tracker->result = &tracker->tracker.track(read_frame(frame, tracker->instances)); });
+  return guard(tracker, [&] {
+    tracker->result = &tracker->tracker.track(read_frame(frame, tracker->instances));
+    log_camera(*tracker, to_c(tracker->result->camera.status));
+  });
 }
 
 dot_status dot_object_count(dot_tracker* tracker, uint32_t* count) noexcept {
@@ -184,19 +249,30 @@ dot_status dot_id_image(dot_tracker* tracker, dot_image* out) noexcept {
   return guard(tracker, [&] { write(to_c(result_of(tracker).ids, DOT_FORMAT_ID32), out, "out"); });
 }
 
+dot_status dot_copy_labels(dot_tracker* tracker, uint8_t* data, int32_t width, int32_t height,
+                           int64_t stride_bytes) noexcept {
+  return guard(tracker, [&] {
+    const dot::Result& result = result_of(tracker);
+    copy_rows(result.labels, read_buffer(data, width, height, stride_bytes, result.labels));
+  });
+}
+
+dot_status dot_copy_ids(dot_tracker* tracker, uint32_t* data, int32_t width, int32_t height,
+                        int64_t stride_bytes) noexcept {
+  return guard(tracker, [&] {
+    const dot::Result& result = result_of(tracker);
+    copy_rows(result.ids, read_buffer(data, width, height, stride_bytes, result.labels));
+  });
+}
+
 dot_status dot_exclusion_mask(dot_tracker* tracker, const dot_exclusion_policy* policy, uint8_t* data, int32_t width,
                               int32_t height, int64_t stride_bytes) noexcept {
   return guard(tracker, [&] {
     const dot::Result& result = result_of(tracker);
     const dot::ExclusionPolicy exclusion = read_policy(policy);
-    if (data == nullptr) invalid("data is NULL");
-    if (width != result.labels.width)
-      invalid("width is " + std::to_string(width) + ", the label image has " + std::to_string(result.labels.width));
-    if (height != result.labels.height)
-      invalid("height is " + std::to_string(height) + ", the label image has " + std::to_string(result.labels.height));
-    if (stride_bytes < width || stride_bytes > std::numeric_limits<std::ptrdiff_t>::max() / height)
-      invalid("stride_bytes is " + std::to_string(stride_bytes) + ", a row takes " + std::to_string(width));
-    dot::exclusion_mask(result, exclusion, {data, width, height, static_cast<std::ptrdiff_t>(stride_bytes)});
+    const bool inverted = policy != nullptr && (policy->flags & DOT_EXCLUDE_INVERTED) != 0;
+    const dot::ImageView<std::uint8_t> out = read_buffer(data, width, height, stride_bytes, result.labels);
+    (inverted ? dot::feature_mask : dot::exclusion_mask)(result, exclusion, out);
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <initializer_list>
 #include <limits>
@@ -26,6 +27,8 @@ namespace dot_c {
 /// Size of a struct in its first published form. When a struct grows, the offset of its first new field goes here.
 template <typename T>
 constexpr std::uint32_t first_size = sizeof(T);
+template <>
+inline constexpr std::uint32_t first_size<dot_camera_result> = offsetof(dot_camera_result, masked_share);
 
 template <typename T>
 void check_size(std::uint32_t size, const std::string& name) {
@@ -263,11 +266,23 @@ inline dot::Intrinsics read_camera(const dot_camera* in) {
   return out;
 }
 
+// The _INIT macros repeat the defaults of the C++ structs, which are their home.
+constexpr dot_options default_options = DOT_OPTIONS_INIT;
+static_assert(default_options.background_points == dot::SelectionSettings{}.background_points);
+static_assert(default_options.object_points == dot::SelectionSettings{}.object_points);
+static_assert(default_options.v0 == dot::VelocitySettings{}.v0);
+static_assert(default_options.stereo_sigma_px == dot::DepthNoiseSettings{}.stereo_sigma_px);
+constexpr dot_exclusion_policy default_policy = DOT_EXCLUSION_POLICY_INIT;
+static_assert(((default_policy.flags & DOT_EXCLUDE_NOT_OBSERVABLE) != 0) ==
+              dot::ExclusionPolicy{}.exclude_not_observable);
+static_assert(((default_policy.flags & DOT_EXCLUDE_STATIC) != 0) == dot::ExclusionPolicy{}.exclude_static);
+static_assert(default_policy.dilation == dot::ExclusionPolicy{}.dilation);
+
 inline dot::ExclusionPolicy read_policy(const dot_exclusion_policy* in) {
   dot::ExclusionPolicy out;
   if (in == nullptr) return out;
   const dot_exclusion_policy policy = read(in, "policy");
-  check_flags(policy.flags, DOT_EXCLUDE_NOT_OBSERVABLE | DOT_EXCLUDE_STATIC, "policy");
+  check_flags(policy.flags, DOT_EXCLUDE_NOT_OBSERVABLE | DOT_EXCLUDE_STATIC | DOT_EXCLUDE_INVERTED, "policy");
   check_reserved(policy.reserved, "policy");
   if (policy.dilation < 0) invalid("policy.dilation is " + std::to_string(policy.dilation) + ", must be >= 0");
   out.exclude_not_observable = (policy.flags & DOT_EXCLUDE_NOT_OBSERVABLE) != 0;
@@ -356,6 +371,7 @@ inline dot_camera_result to_c(const dot::Result& result) {
   out.offset = camera.offset;
   out.residual_sigma = camera.residual_sigma;
   out.normalised_variance = camera.normalised_variance;
+  out.masked_share = dot::masked_share(result);
   return out;
 }
 
@@ -368,6 +384,28 @@ dot_image to_c(dot::ImageView<const T> view, std::uint32_t format) {
   out.stride_bytes = view.stride;
   out.data = view.data;
   return out;
+}
+
+/// The caller's buffer for an image like `like`, rows `stride_bytes` apart.
+template <typename T>
+dot::ImageView<T> read_buffer(T* data, std::int32_t width, std::int32_t height, std::int64_t stride_bytes,
+                              dot::ImageView<const std::uint8_t> like) {
+  if (data == nullptr) invalid("data is NULL");
+  if (width != like.width)
+    invalid("width is " + std::to_string(width) + ", the label image has " + std::to_string(like.width));
+  if (height != like.height)
+    invalid("height is " + std::to_string(height) + ", the label image has " + std::to_string(like.height));
+  constexpr std::int64_t pixel = sizeof(T);
+  if (stride_bytes < width * pixel || stride_bytes > std::numeric_limits<std::ptrdiff_t>::max() / height)
+    invalid("stride_bytes is " + std::to_string(stride_bytes) + ", a row takes " + std::to_string(width * pixel));
+  if (stride_bytes % pixel != 0 || reinterpret_cast<std::uintptr_t>(data) % sizeof(T) != 0)
+    invalid("data and stride_bytes are not aligned to a pixel's size");
+  return {data, width, height, static_cast<std::ptrdiff_t>(stride_bytes)};
+}
+
+template <typename T>
+void copy_rows(dot::ImageView<const T> from, dot::ImageView<T> to) {
+  for (int y = 0; y < from.height; ++y) std::copy_n(from.row(y), from.width, to.row(y));
 }
 
 }  // namespace dot_c

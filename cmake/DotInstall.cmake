@@ -9,44 +9,69 @@ function(dot_install_component component)
   install(
     TARGETS ${ARGN}
     EXPORT dot-${component}
-    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(EXPORT dot-${component} NAMESPACE dot:: FILE dot-${component}-targets.cmake DESTINATION ${package_dir})
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT libraries
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+  install(EXPORT dot-${component} NAMESPACE dot:: FILE dot-${component}-targets.cmake DESTINATION ${package_dir}
+          COMPONENT development)
 endfunction()
 
 dot_install_component(headers dot_headers)
 dot_install_component(core dot_core)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/dot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN "*.hpp")
+        COMPONENT development FILES_MATCHING PATTERN "*.hpp")
+
+# What a .pc file says of places follows from its own, so that the prefix can be moved; an absolute one is taken as it is.
+foreach(dir INCLUDEDIR LIBDIR)
+  if(IS_ABSOLUTE "${CMAKE_INSTALL_${dir}}")
+    set(DOT_PC_${dir} "${CMAKE_INSTALL_${dir}}")
+  else()
+    set(DOT_PC_${dir} "\${prefix}/${CMAKE_INSTALL_${dir}}")
+  endif()
+endforeach()
+if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
+  set(DOT_PC_PREFIX "${CMAKE_INSTALL_PREFIX}")
+else()
+  file(RELATIVE_PATH up "/prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/prefix")
+  string(REGEX REPLACE "/$" "" up "${up}")
+  set(DOT_PC_PREFIX "\${pcfiledir}/${up}")
+endif()
+# OpenCV by its folders: its own opencv4.pc is often not installed, and where it is, it links all its modules, with them
+# libGL and X11.
+list(TRANSFORM OpenCV_INCLUDE_DIRS PREPEND "-I" OUTPUT_VARIABLE opencv_includes)
+list(JOIN opencv_includes " " DOT_PC_OPENCV_CFLAGS)
+set(DOT_PC_OPENCV_LIBS "-L$<TARGET_FILE_DIR:opencv_core> -lopencv_imgproc -lopencv_core")
+
+function(dot_install_pkgconfig name)
+  configure_file("${PROJECT_SOURCE_DIR}/cmake/${name}.pc.in" "${PROJECT_BINARY_DIR}/${name}.pc.in" @ONLY)
+  file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/${name}.pc" INPUT "${PROJECT_BINARY_DIR}/${name}.pc.in")
+  install(FILES "${PROJECT_BINARY_DIR}/${name}.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+          COMPONENT development)
+endfunction()
+dot_install_pkgconfig(dot_core)
 
 if(DOT_BUILD_CAPI)
-  dot_install_component(capi dot_capi)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/capi/include/dot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-          FILES_MATCHING PATTERN "*.h")
-
-  # The paths follow from the place of the .pc file, so that the prefix can be moved; an absolute one is taken as it is.
-  foreach(dir INCLUDEDIR LIBDIR)
-    if(IS_ABSOLUTE "${CMAKE_INSTALL_${dir}}")
-      set(DOT_PC_${dir} "${CMAKE_INSTALL_${dir}}")
-    else()
-      set(DOT_PC_${dir} "\${prefix}/${CMAKE_INSTALL_${dir}}")
-    endif()
-  endforeach()
-  if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
-    set(DOT_PC_PREFIX "${CMAKE_INSTALL_PREFIX}")
-  else()
-    file(RELATIVE_PATH up "/prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/prefix")
-    string(REGEX REPLACE "/$" "" up "${up}")
-    set(DOT_PC_PREFIX "\${pcfiledir}/${up}")
+  if(TARGET dot_capi)
+    dot_install_component(capi dot_capi)
   endif()
-  configure_file("${PROJECT_SOURCE_DIR}/cmake/dot_capi.pc.in" "${PROJECT_BINARY_DIR}/dot_capi.pc" @ONLY)
-  install(FILES "${PROJECT_BINARY_DIR}/dot_capi.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  if(TARGET dot_capi_static)
+    dot_install_component(capi_static dot_capi_static)
+  endif()
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/capi/include/dot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+          COMPONENT development FILES_MATCHING PATTERN "*.h")
+  dot_install_pkgconfig(dot_capi)
 endif()
 
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/dotConfig.cmake.in" "${PROJECT_BINARY_DIR}/dotConfig.cmake"
                               INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/dotConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/dotConfig.cmake" "${PROJECT_BINARY_DIR}/dotConfigVersion.cmake"
-        DESTINATION ${package_dir})
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/dot)
+        DESTINATION ${package_dir} COMPONENT development)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/dot COMPONENT development)
+
+if(DOT_INSTALL_TOOLS)
+  if(NOT DOT_BUILD_EXAMPLES)
+    message(FATAL_ERROR "DOT_INSTALL_TOOLS needs DOT_BUILD_EXAMPLES")
+  endif()
+  install(TARGETS dot_run dot_eval RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
+endif()

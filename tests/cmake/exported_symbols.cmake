@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The dot authors
 # SPDX-License-Identifier: MIT
 #
-# LIBRARY exports exactly the functions that HEADER declares with DOT_API.
+# LIBRARY exports exactly the functions that HEADER declares with DOT_API, and those are the ones in LIST, where each
+# change of what is exported has to be written down.
 
 file(READ "${HEADER}" text)
 string(REGEX REPLACE "/\\*([^*]|\\*+[^*/])*\\*+/" "" text "${text}")
@@ -27,7 +28,13 @@ foreach(line IN LISTS lines)
   endif()
 endforeach()
 
+file(STRINGS "${LIST}" listed)
+
 list(SORT declared)
+list(SORT listed)
+if(NOT declared STREQUAL listed)
+  message(FATAL_ERROR "declared in ${HEADER}:\n  ${declared}\nlisted in ${LIST}:\n  ${listed}")
+endif()
 list(SORT exported)
 if(NOT declared STREQUAL exported)
   message(FATAL_ERROR "declared in ${HEADER}:\n  ${declared}\nexported by ${LIBRARY}:\n  ${exported}")

@@ -151,6 +151,38 @@ TEST(Exclusion, WithoutIdsTheLabelDecides) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(mask(Labelled::left(i), 10), expected[i]) << i;
 }
 
+TEST(Exclusion, FeatureMaskIsTheOppositeOfTheExclusionMask) {
+  const Labelled frame({object(State::Moving, State::Moving), object(State::Static, State::Static)});
+  const Image<std::uint8_t> excluded = frame.mask({});
+  Image<std::uint8_t> features(excluded.width(), excluded.height());
+  dot::feature_mask(frame.result, {}, features.view());
+  for (int v = 0; v < excluded.height(); ++v)
+    for (int u = 0; u < excluded.width(); ++u) ASSERT_EQ(features(u, v), 255 - excluded(u, v)) << u << ", " << v;
+  EXPECT_EQ(features(Labelled::left(0), 10), 0);
+  EXPECT_EQ(features(Labelled::left(1), 10), 255);
+}
+
+TEST(Exclusion, MaskedShareIsThatOfTheMaskBeforeItIsWidened) {
+  const std::vector<dot::ObjectResult> states{
+      object(State::Moving, State::Moving), object(State::Static, State::Static),
+      object(State::NotObservable, State::NotObservable), object(State::NotObservable, State::Static),
+      object(State::NotObservable, State::Moving)};
+  Labelled frame(states);
+  for (dot::ObjectResult& o : frame.objects) o.area = 25;
+  for (const bool exclude_static : {false, true}) {
+    for (const bool exclude_not_observable : {false, true}) {
+      const ExclusionPolicy policy{exclude_not_observable, exclude_static, 0};
+      const Image<std::uint8_t> mask = frame.mask(policy);
+      int excluded = 0;
+      for (int v = 0; v < mask.height(); ++v)
+        for (int u = 0; u < mask.width(); ++u) excluded += mask(u, v) == 255;
+      EXPECT_GT(excluded, 0);
+      EXPECT_DOUBLE_EQ(dot::masked_share(frame.result, policy) * mask.width() * mask.height(), excluded);
+    }
+  }
+  EXPECT_EQ(dot::masked_share(dot::Result{}), 0);
+}
+
 TEST(Exclusion, RespectsTheStride) {
   const Labelled frame(kObjects);
   const int width = frame.labels.width(), height = frame.labels.height(), stride = width + 13;

@@ -12,16 +12,18 @@
 /// Booleans are bits of a `flags` field. Ids are never 0 where they name something.
 ///
 /// Structs. Every struct but dot_setting starts with `struct_size`, which the caller sets to its sizeof, for inputs and
-/// for outputs: C99 `dot_frame frame = {.struct_size = sizeof frame}`, elsewhere memset, then the assignment. Structs
-/// grow at their end only; a field that an older caller does not have counts as zero. A size that this library does not
-/// know (0, or of a newer header) is an error.
+/// for outputs: `dot_frame frame = DOT_FRAME_INIT;`, or in C99 `{.struct_size = sizeof frame}`. Structs grow at their
+/// end only; a field that an older caller does not have counts as zero. A size that this library does not know (0, or
+/// of a newer header) is an error.
 ///
 /// Errors. Functions return DOT_OK or a negative status; the text, which names the field at fault, is in
-/// dot_last_error, for functions without a tracker in dot_create_error. Nothing aborts, exits or throws.
+/// dot_last_error, for functions without a tracker in dot_create_error. Nothing aborts, exits, throws or prints.
 ///
-/// Threads. Trackers are independent; one thread at a time may use a given one, for reading too.
+/// Threads. Trackers are independent; one thread at a time may use a given one, for reading too. A call that meets
+/// another one at work on the same tracker changes nothing and returns DOT_BUSY. That finds the mistake; it is no lock:
+/// dot_last_error and dot_destroy are not covered by it.
 
-#if defined(_WIN32)
+#if defined(_WIN32) && !defined(DOT_CAPI_STATIC)
 #ifdef DOT_CAPI_EXPORTS
 #define DOT_API __declspec(dllexport)
 #else
@@ -42,6 +44,10 @@
 /// Version of this header: 1000000 major + 1000 minor + patch. Compare with dot_version().
 #define DOT_HEADER_VERSION 1000
 
+/// Version of the binary interface, also that of the shared library's name. A program compiled against this header runs
+/// with every library whose dot_abi_version() is the same and whose dot_version() is not older.
+#define DOT_ABI_VERSION 0
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -53,7 +59,8 @@ enum {
   DOT_INVALID_ARGUMENT = -1,  ///< the text names the field; nothing has changed
   DOT_NO_RESULT = -2,         ///< nothing tracked yet, or not since dot_reset or a failure
   DOT_OUT_OF_MEMORY = -3,     ///< the tracker has been reset
-  DOT_INTERNAL = -4           ///< a fault of the library; the tracker has been reset
+  DOT_INTERNAL = -4,          ///< a fault of the library; the tracker has been reset
+  DOT_BUSY = -5  ///< another call on this tracker has not ended; nothing has changed, dot_last_error neither
 };
 
 /// dot_image.format. 0 is none, so that a forgotten format is an error.
@@ -130,7 +137,15 @@ enum {
 /// dot_exclusion_policy.flags.
 enum {
   DOT_EXCLUDE_NOT_OBSERVABLE = 1,  ///< objects that never were decided; later they count as last decided
-  DOT_EXCLUDE_STATIC = 2
+  DOT_EXCLUDE_STATIC = 2,
+  DOT_EXCLUDE_INVERTED = 4  ///< write 0 = do not use, 255 = use: what OpenCV's feature detectors take
+};
+
+/// Level of a log message.
+enum {
+  DOT_LOG_ERROR = 1,    ///< a call failed; the text is that of dot_last_error
+  DOT_LOG_WARNING = 2,  ///< the camera's motion is only a guess from this frame on
+  DOT_LOG_INFO = 3      ///< it is known again
 };
 
 /// A tracker and all its memory. Made by dot_create, ended by dot_destroy; not to be shared between threads unlocked.
@@ -238,6 +253,7 @@ typedef struct dot_camera_result {
   double offset;               ///< grey values
   double residual_sigma;       ///< grey values, robust
   double normalised_variance;  ///< of the residuals over their predicted sigma; near 1 when honest
+  double masked_share;         ///< 0 to 1: of the image, what the default policy excludes, before it is widened
 } dot_camera_result;
 
 /// One object in one frame.
@@ -283,25 +299,69 @@ typedef struct dot_exclusion_policy {
   uint32_t reserved;  ///< 0
 } dot_exclusion_policy;
 
+/// What dot_set_log calls. @param user what was given to dot_set_log.
+/// @param level DOT_LOG_. @param text valid during the call; English, without a line break.
+typedef void (*dot_log_function)(void* user, uint32_t level, const char* text);
+
+/* Initial values: struct_size set, the rest empty or the default. */
+#define DOT_IMAGE_INIT \
+  { sizeof(dot_image), 0, 0, 0, 0, 0, 0 }
+#define DOT_CAMERA_INIT \
+  { sizeof(dot_camera), 0, 0, 0, 0, 0, 0, 0, 0 }
+#define DOT_OPTIONS_INIT \
+  { sizeof(dot_options), DOT_CLASSIFIER_VELOCITY, DOT_DEPTH_UNKNOWN, 3000, 600, 0, 0, 0.5, 0.3 }
+#define DOT_INSTANCE_INIT \
+  { sizeof(dot_instance), 0, 0, 0, 0, -1, 1, 0, 0 }
+#define DOT_MASKS_INIT \
+  { sizeof(dot_masks), 0, 0, 0 }
+#define DOT_CAMERA_MOTION_INIT                                                \
+  {                                                                           \
+    sizeof(dot_camera_motion), 0, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}, { 0 } \
+  }
+#define DOT_FRAME_INIT \
+  { sizeof(dot_frame), 0, 0, 0, 0, 0, 0, 0 }
+#define DOT_CAMERA_RESULT_INIT \
+  { sizeof(dot_camera_result), 0, 0, 0, 0, 0, 0, {0}, {0}, 0, 0, 0, 0, 0, 0 }
+#define DOT_OBJECT_INIT                                                                                              \
+  {                                                                                                                  \
+    sizeof(dot_object), 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}, 0, 0, 0, {0}, {0}, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, {0}, { 0 } \
+  }
+#define DOT_EXCLUSION_POLICY_INIT \
+  { sizeof(dot_exclusion_policy), DOT_EXCLUDE_NOT_OBSERVABLE, 2, 0 }
+
 /// Version of the library, counted as DOT_HEADER_VERSION.
 DOT_API uint32_t dot_version(void) DOT_NOEXCEPT;
+
+/// DOT_ABI_VERSION of the library.
+DOT_API uint32_t dot_abi_version(void) DOT_NOEXCEPT;
 
 /// Short English name of a status. Never NULL; static memory.
 DOT_API const char* dot_status_string(dot_status status) DOT_NOEXCEPT;
 
-/// Fills in the defaults. @param struct_size sizeof(dot_options). On failure nothing is written.
+/// Fills in the defaults, those of DOT_OPTIONS_INIT. @param struct_size sizeof(dot_options). On failure nothing is
+/// written.
 DOT_API dot_status dot_options_init(dot_options* options, uint32_t struct_size) DOT_NOEXCEPT;
+
+/// Fills in the defaults, those of DOT_EXCLUSION_POLICY_INIT: objects that never were decided are excluded, static ones
+/// kept, the area is widened by 2 pixels. @param struct_size sizeof(dot_exclusion_policy). On failure nothing is
+/// written.
+DOT_API dot_status dot_exclusion_policy_init(dot_exclusion_policy* policy, uint32_t struct_size) DOT_NOEXCEPT;
 
 /// Makes a tracker, which the caller ends with dot_destroy. @param options NULL for the defaults.
 /// @param out set to NULL on failure. The arguments are copied.
 DOT_API dot_status dot_create(const dot_camera* camera, const dot_options* options, dot_tracker** out) DOT_NOEXCEPT;
 
-/// Text of the last dot_create or dot_options_init on this thread, empty if that succeeded. Never NULL; valid until the
-/// thread's next such call.
+/// Text of the last call on this thread that takes no tracker (dot_create, the init functions), empty if that
+/// succeeded. Never NULL; valid until the thread's next such call.
 DOT_API const char* dot_create_error(void) DOT_NOEXCEPT;
 
 /// Frees the tracker and all views that it handed out. NULL is allowed.
 DOT_API void dot_destroy(dot_tracker* tracker) DOT_NOEXCEPT;
+
+/// Has `function` told what goes wrong on this tracker; NULL ends that, and is how every tracker starts. It is called
+/// on the thread of the call that has something to say, before that call returns. It must not use the tracker: every
+/// call on it returns DOT_BUSY. What it throws is dropped.
+DOT_API dot_status dot_set_log(dot_tracker* tracker, dot_log_function function, void* user) DOT_NOEXCEPT;
 
 /// Forgets all frames and objects; keeps buffers and never reuses an id.
 DOT_API dot_status dot_reset(dot_tracker* tracker) DOT_NOEXCEPT;
@@ -325,10 +385,20 @@ DOT_API dot_status dot_label_image(dot_tracker* tracker, dot_image* out) DOT_NOE
 /// View of the track id of each pixel, DOT_FORMAT_ID32, 0 = background. Valid as long as the label image.
 DOT_API dot_status dot_id_image(dot_tracker* tracker, dot_image* out) DOT_NOEXCEPT;
 
+/// Copies the label image, a DOT_STATE_ value a pixel.
+/// @param data the caller's: `height` rows of `width` bytes, `stride_bytes` apart, of the frame's size.
+DOT_API dot_status dot_copy_labels(dot_tracker* tracker, uint8_t* data, int32_t width, int32_t height,
+                                   int64_t stride_bytes) DOT_NOEXCEPT;
+
+/// Copies the track id of each pixel, 0 = background.
+/// @param data the caller's: `height` rows of `width` ids, `stride_bytes` (a multiple of 4) apart, of the frame's size.
+DOT_API dot_status dot_copy_ids(dot_tracker* tracker, uint32_t* data, int32_t width, int32_t height,
+                                int64_t stride_bytes) DOT_NOEXCEPT;
+
 /// Writes the mask that a feature extractor needs: 255 = do not use this pixel, 0 = use it. That is the OPPOSITE of the
-/// mask that OpenCV's feature detectors take.
-/// @param policy NULL for the default: NOT_OBSERVABLE excluded until decided, static kept, widened by 2 pixels.
-/// @param data the caller's buffer: `height` rows of `width` bytes, `stride_bytes` apart; size that of the label image.
+/// mask that OpenCV's feature detectors take; DOT_EXCLUDE_INVERTED writes theirs.
+/// @param policy NULL for the defaults, see dot_exclusion_policy_init.
+/// @param data the caller's: `height` rows of `width` bytes, `stride_bytes` apart, of the frame's size.
 DOT_API dot_status dot_exclusion_mask(dot_tracker* tracker, const dot_exclusion_policy* policy, uint8_t* data,
                                       int32_t width, int32_t height, int64_t stride_bytes) DOT_NOEXCEPT;
 

@@ -16,6 +16,18 @@ namespace dot {
 
 namespace exclusion {
 
+/// Whether things of this state are excluded. An object that is not observable now counts as it was last decided: pass
+/// ObjectResult::last_decided for it.
+inline bool excludes(const ExclusionPolicy& policy, State state) {
+  switch (state) {
+    case State::Moving: return true;
+    case State::Static: return policy.exclude_static;
+    case State::NotObservable: return policy.exclude_not_observable;
+    case State::Background: break;
+  }
+  return false;
+}
+
 /// Sets all pixels at most `radius` columns and rows from one that is 255; the others must be 0.
 inline void dilate(ImageView<std::uint8_t> mask, int radius) {
   constexpr std::uint8_t set = 255, spread = 1;  // told apart until the direction is done
@@ -54,7 +66,7 @@ inline void dilate(ImageView<std::uint8_t> mask, int radius) {
 }  // namespace exclusion
 
 /// Writes the mask that a feature extractor needs: 255 = do not use this pixel, 0 = use it (the opposite of OpenCV's
-/// feature-detector masks).
+/// feature-detector masks, for which there is `feature_mask`).
 ///
 /// Excluded are moving objects and, by policy, those that were never decided; an object that is not observable now
 /// counts as it was last decided. The excluded area is widened by `policy.dilation` pixels (square).
@@ -66,15 +78,7 @@ inline void exclusion_mask(const Result& result, const ExclusionPolicy& policy, 
     throw std::invalid_argument("out must have the size of result.labels");
   if (policy.dilation < 0) throw std::invalid_argument("policy.dilation must be >= 0");
 
-  const auto excluded = [&policy](State state) {
-    switch (state) {
-      case State::Moving: return true;
-      case State::Static: return policy.exclude_static;
-      case State::NotObservable: return policy.exclude_not_observable;
-      case State::Background: break;
-    }
-    return false;
-  };
+  const auto excluded = [&policy](State state) { return exclusion::excludes(policy, state); };
   // Neighbouring pixels mostly are of one object: look it up when the id changes.
   std::uint32_t id = 0;
   bool undecided_excluded = excluded(State::NotObservable);
@@ -97,6 +101,26 @@ inline void exclusion_mask(const Result& result, const ExclusionPolicy& policy, 
     }
   }
   if (policy.dilation > 0) exclusion::dilate(out, policy.dilation);
+}
+
+/// The same in the polarity of OpenCV's feature detectors: 0 = do not use this pixel, 255 = use it.
+inline void feature_mask(const Result& result, const ExclusionPolicy& policy, ImageView<std::uint8_t> out) {
+  exclusion_mask(result, policy, out);
+  for (int y = 0; y < out.height; ++y)
+    std::transform(out.row(y), out.row(y) + out.width, out.row(y),
+                   [](std::uint8_t value) { return static_cast<std::uint8_t>(255 - value); });
+}
+
+/// Share of the image that `policy` excludes, 0 to 1, before it is widened: tells a host that its features run out.
+/// Costs a look at each object, not at each pixel.
+inline double masked_share(const Result& result, const ExclusionPolicy& policy = {}) {
+  if (result.labels.empty()) return 0;
+  double pixels = 0;
+  for (const ObjectResult& object : result.objects) {
+    const State state = object.state == State::NotObservable ? object.last_decided : object.state;
+    if (exclusion::excludes(policy, state)) pixels += object.area;
+  }
+  return pixels / (static_cast<double>(result.labels.width) * result.labels.height);
 }
 
 }  // namespace dot

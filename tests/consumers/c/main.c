@@ -5,7 +5,6 @@
 
 #include <stdint.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "dot/dot.h"
 
@@ -14,9 +13,7 @@ static uint8_t grey[WIDTH * HEIGHT];
 static float metres[WIDTH * HEIGHT];
 
 static dot_image view(const void* data, uint32_t format, int64_t pixel) {
-  dot_image image;
-  memset(&image, 0, sizeof image);
-  image.struct_size = sizeof image;
+  dot_image image = DOT_IMAGE_INIT;
   image.format = format;
   image.width = WIDTH;
   image.height = HEIGHT;
@@ -26,11 +23,11 @@ static dot_image view(const void* data, uint32_t format, int64_t pixel) {
 }
 
 int main(void) {
-  dot_camera camera;
-  dot_frame frame;
+  dot_camera camera = DOT_CAMERA_INIT;
+  dot_frame frame = DOT_FRAME_INIT;
   dot_image image = view(grey, DOT_FORMAT_GREY8, 1);
   dot_image depth = view(metres, DOT_FORMAT_DEPTH_F32, sizeof(float));
-  dot_image labels;
+  dot_image labels = DOT_IMAGE_INIT;
   dot_tracker* tracker = NULL;
   int i;
 
@@ -38,21 +35,15 @@ int main(void) {
     grey[i] = 100;
     metres[i] = 5;
   }
-  memset(&camera, 0, sizeof camera);
-  camera.struct_size = sizeof camera;
   camera.width = WIDTH;
   camera.height = HEIGHT;
   camera.fx = camera.fy = 100;
   camera.cx = 79.5;
   camera.cy = 59.5;
-  memset(&frame, 0, sizeof frame);
-  frame.struct_size = sizeof frame;
   frame.image = &image;
   frame.depth = &depth;
-  memset(&labels, 0, sizeof labels);
-  labels.struct_size = sizeof labels;
 
-  if (dot_version() != DOT_HEADER_VERSION) {
+  if (dot_version() != DOT_HEADER_VERSION || dot_abi_version() != DOT_ABI_VERSION) {
     fprintf(stderr, "library %u, header %u\n", (unsigned)dot_version(), (unsigned)DOT_HEADER_VERSION);
     return 1;
   }

@@ -1,0 +1,35 @@
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+#
+# HOST, the example of a feature-based front-end, on SEQUENCE: hardly a feature on movers is left, those on parked cars
+# stay, and none is lost in all. It writes PICTURE.
+
+file(REMOVE "${PICTURE}")
+execute_process(COMMAND "${HOST}" "${SEQUENCE}" "${PICTURE}" OUTPUT_VARIABLE out COMMAND_ERROR_IS_FATAL ANY)
+if(NOT EXISTS "${PICTURE}")
+  message(FATAL_ERROR "no ${PICTURE}")
+endif()
+foreach(kind IN ITEMS "movers" "parked cars" "in all")
+  if(NOT out MATCHES "features [on ]*${kind}: ([0-9]+) without masks, ([0-9]+) with them")
+    message(FATAL_ERROR "no count for '${kind}':\n${out}")
+  endif()
+  list(APPEND before ${CMAKE_MATCH_1})
+  list(APPEND after ${CMAKE_MATCH_2})
+endforeach()
+list(GET before 0 movers_before)
+list(GET after 0 movers_after)
+list(GET before 1 parked_before)
+list(GET after 1 parked_after)
+list(GET before 2 all_before)
+list(GET after 2 all_after)
+math(EXPR movers_limit "${movers_before} / 20")
+math(EXPR parked_limit "${parked_before} * 9 / 10")
+if(movers_before LESS 1000 OR movers_after GREATER movers_limit)
+  message(FATAL_ERROR "features on movers: ${movers_before} became ${movers_after}")
+endif()
+if(parked_before LESS 1000 OR parked_after LESS parked_limit)
+  message(FATAL_ERROR "features on parked cars: ${parked_before} became ${parked_after}")
+endif()
+if(NOT all_after EQUAL all_before)
+  message(FATAL_ERROR "features in all: ${all_before} became ${all_after}")
+endif()

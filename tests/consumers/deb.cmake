@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+#
+# Makes the Debian packages of BUILD in WORK, unpacks them, and builds and runs the consumer in C against what was in
+# them. CPACK, DPKG_DEB, GENERATOR, C_COMPILER.
+
+cmake_minimum_required(VERSION 3.22)
+
+function(run)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE out ERROR_VARIABLE out RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGN}: ${status}\n${out}")
+  endif()
+  set(output "${out}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE "${WORK}")
+run("${CPACK}" -G DEB --config "${BUILD}/CPackConfig.cmake" -B "${WORK}/packages")
+foreach(package IN ITEMS libdot-capi0 libdot-dev)
+  file(GLOB deb "${WORK}/packages/${package}_*.deb")
+  if(NOT deb)
+    message(FATAL_ERROR "no package ${package}:\n${output}")
+  endif()
+  run("${DPKG_DEB}" -f "${deb}" Depends)
+  set(depends_${package} "${output}")
+  run("${DPKG_DEB}" -c "${deb}")
+  set(content_${package} "${output}")
+  run("${DPKG_DEB}" -x "${deb}" "${WORK}/root")
+endforeach()
+
+# A host needs the library and nothing else at run time.
+if(NOT content_libdot-capi0 MATCHES "libdot_capi\\.so\\.0" OR content_libdot-capi0 MATCHES "(include|\\.so\n|\\.so ->|\\.a\n)")
+  message(FATAL_ERROR "libdot-capi0 holds\n${content_libdot-capi0}")
+endif()
+if(NOT depends_libdot-capi0 MATCHES "libopencv-core" OR depends_libdot-capi0 MATCHES "-dev|libgl|libx11")
+  message(FATAL_ERROR "libdot-capi0 depends on ${depends_libdot-capi0}")
+endif()
+if(NOT depends_libdot-dev MATCHES "libdot-capi0 .*libeigen3-dev, libopencv-dev")
+  message(FATAL_ERROR "libdot-dev depends on ${depends_libdot-dev}")
+endif()
+
+get_filename_component(here "${CMAKE_CURRENT_LIST_DIR}" ABSOLUTE)
+run("${CMAKE_COMMAND}" -S "${here}/c" -B "${WORK}/host" -G "${GENERATOR}" "-DCMAKE_C_COMPILER=${C_COMPILER}"
+    "-Ddot_ROOT=${WORK}/root/usr")
+run("${CMAKE_COMMAND}" --build "${WORK}/host")
+run("${WORK}/host/host")

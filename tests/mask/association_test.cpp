@@ -19,9 +19,9 @@ Mask rectangle(int x, int y, int width, int height) {
 
 std::vector<int> associate(const std::vector<Mask>& predicted, const std::vector<Mask>& observed,
                            const dot::MaskSettings& settings = {}) {
-  std::vector<const Mask*> p, o;
-  for (const Mask& mask : predicted) p.push_back(&mask);
-  for (const Mask& mask : observed) o.push_back(&mask);
+  std::vector<dot::Outline> p, o;
+  for (const Mask& mask : predicted) p.push_back({&mask, 0});
+  for (const Mask& mask : observed) o.push_back({&mask, 0});
   return dot::associate(p, o, settings);
 }
 
@@ -59,6 +59,22 @@ TEST(Association, AcceptsASmallPartByContainment) {
   EXPECT_EQ(associate({part}, {whole}, settings), (Partners{0}));
   settings.min_containment = 1.01;
   EXPECT_EQ(associate({whole}, {part}, settings), (Partners{-1}));
+}
+
+// A mover comes out beside a parked car far behind it: the small far outline lies within the large near one.
+TEST(Association, WhatPassesBehindIsAnotherThing) {
+  const Mask near = rectangle(0, 0, 60, 20), far = rectangle(40, 5, 10, 8);
+  const auto partner = [](const Mask& a, double qa, const Mask& b, double qb) {
+    return dot::associate({{&a, qa}}, {{&b, qb}}, {})[0];
+  };
+  EXPECT_EQ(partner(far, 0.02, near, 0.1), -1);
+  EXPECT_EQ(partner(near, 0.1, far, 0.02), -1);
+  EXPECT_EQ(partner(far, 0.06, near, 0.1), 0) << "as far as depth under ragged masks may differ";
+  EXPECT_EQ(partner(far, 0, near, 0.1), 0) << "not measured";
+  EXPECT_EQ(partner(far, 0.02, near, 0), 0);
+  const Mask beside = rectangle(5, 0, 60, 20);
+  ASSERT_GT(dot::iou(near, beside), 0.8);
+  EXPECT_EQ(partner(near, 0.1, beside, 0.02), 0) << "the overlap is too good to be chance";
 }
 
 TEST(Association, SplitMaskKeepsTheLargerPart) {

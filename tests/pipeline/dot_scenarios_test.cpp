@@ -300,6 +300,36 @@ TEST(Departing, FlipsWithinHalfASecond) {
     }
 }
 
+// It goes out of sight with its rear and comes out with its front: the outlines do not overlap.
+TEST(Occlusion, WhatPassesBehindSomethingKeepsIdAndState) {
+  Film<> film;
+  constexpr std::uint32_t near = 9;
+  film.add(mover, straight({-3.4, 1.3, 8.5}, {3, 0, 0}));
+  film.add(near, straight({0, 1.3, 4.6}));
+  Tracker tracker = make_tracker();
+  int hidden = 0, came_out = -1;
+  std::uint32_t id = 0;
+  for (int i = 0; i < 24; ++i) {
+    const Result& result = film.next(tracker);
+    const ObjectResult* o = object_on(result, film.truth().ids, mover);
+    if (i == 5) {
+      ASSERT_TRUE(o && o->state == State::Moving) << describe(o);
+      id = o->id;
+    }
+    int pixels = 0;
+    for (int y = 0; y < film.truth().ids.height(); ++y)
+      for (int x = 0; x < film.truth().ids.width(); ++x) pixels += film.truth().ids(x, y) == mover;
+    hidden += pixels == 0;
+    if (hidden == 0 || pixels < 100) continue;
+    if (came_out < 0) came_out = i;
+    ASSERT_TRUE(o) << i;
+    EXPECT_EQ(o->id, id) << i;
+    EXPECT_EQ(o->state, State::Moving) << i << ' ' << describe(o);
+  }
+  EXPECT_GE(hidden, 2);
+  EXPECT_GT(came_out, 8);
+}
+
 // Algorithm 1 goes on with the next object where the paper breaks off.
 TEST(Failure, OfANearObjectLeavesTheFartherOnes) {
   Film<> film = street();

@@ -16,7 +16,16 @@ using dot::Image;
 using dot::PlaneFit;
 using dot::test::Random;
 
-const auto everywhere = [](int, int) { return true; };
+const dot::DepthSupport everywhere;
+
+/// Where the depth of the plane image may be used, as a mask of its size.
+template <typename May>
+dot::Image<std::uint8_t> where(May&& may) {
+  dot::Image<std::uint8_t> mask(41, 31);
+  for (int y = 0; y < 31; ++y)
+    for (int x = 0; x < 41; ++x) mask(x, y) = may(x, y) ? 255 : 0;
+  return mask;
+}
 
 /// q = 0.2 + 0.001 (u - 20) - 0.002 (v - 15): a steep plane, 5 m away.
 float plane(int x, int y) { return 0.2f + 0.001f * static_cast<float>(x - 20) - 0.002f * static_cast<float>(y - 15); }
@@ -100,11 +109,36 @@ TEST(PlaneFit, UsesOnlyWhatIsAccepted) {
   for (int y = 0; y < 31; ++y)
     for (int x = 0; x < 41; x += 2) q(x, y) += 0.005f;  // inside the gate
   PlaneFit fit;
-  ASSERT_TRUE(fit_plane(
-      q.view(), 20, 15, 5, 0.2f, 0.02f, 30, [](int x, int) { return x % 2 == 1; }, fit));
+  const auto odd = where([](int x, int) { return x % 2 == 1; });
+  ASSERT_TRUE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.02f, 30, {odd.view()}, fit));
   EXPECT_EQ(fit.inliers, 66);
   EXPECT_NEAR(fit.q, 0.2, 1e-6);
   EXPECT_LT(fit.rms, 1e-6);
+}
+
+// A crop of a mask that reaches over the image's border, in a window wider than the image.
+TEST(PlaneFit, AMaskMayLieAnywhere) {
+  const Image<float> q = plane_image();
+  dot::Image<std::uint8_t> crop(30, 20);
+  crop.fill(255);
+  PlaneFit fit;
+  ASSERT_TRUE(fit_plane(q.view(), 20, 15, 100, 0.2f, 0.1f, 30, {crop.view(), 25, -6}, fit));
+  EXPECT_EQ(fit.inliers, 16 * 14);
+  EXPECT_NEAR(fit.q, 0.2, 1e-6);
+  EXPECT_NEAR(fit.du, 0.001, 1e-7);
+  EXPECT_NEAR(fit.dv, -0.002, 1e-7);
+  EXPECT_FALSE(fit_plane(q.view(), 20, 15, 100, 0.2f, 0.1f, 1, {crop.view(), 60, 0}, fit));
+}
+
+TEST(PlaneFit, UsesOnlyDepthsWithinTheRange) {
+  Image<float> q = plane_image();
+  for (int x = 0; x < 41; ++x) q(x, 15) = 0.201f;
+  PlaneFit fit;
+  dot::DepthSupport support;
+  support.q_min = 0.1985f;
+  support.q_max = 0.2015f;
+  ASSERT_TRUE(fit_plane(q.view(), 20, 15, 1, 0.2f, 0.1f, 3, support, fit));
+  EXPECT_EQ(fit.inliers, 5);
 }
 
 TEST(PlaneFit, RejectsTooFew) {
@@ -114,8 +148,8 @@ TEST(PlaneFit, RejectsTooFew) {
   q(17, 12) = 0;
   EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.01f, 121, everywhere, fit));
   EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.9f, 0.01f, 30, everywhere, fit));  // nothing at that depth
-  EXPECT_FALSE(fit_plane(
-      q.view(), 20, 15, 5, 0.2f, 0.01f, 30, [](int x, int y) { return x < 20 && y < 12; }, fit));
+  const auto corner = where([](int x, int y) { return x < 20 && y < 12; });
+  EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.01f, 30, {corner.view()}, fit));
   q.fill(0);
   EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.01f, 30, everywhere, fit));
 }
@@ -123,10 +157,10 @@ TEST(PlaneFit, RejectsTooFew) {
 TEST(PlaneFit, RejectsALine) {
   const Image<float> q = plane_image();
   PlaneFit fit;
-  EXPECT_FALSE(fit_plane(
-      q.view(), 20, 15, 5, 0.2f, 0.02f, 5, [](int x, int) { return x == 20; }, fit));
-  EXPECT_FALSE(fit_plane(
-      q.view(), 20, 15, 5, 0.2f, 0.02f, 5, [](int x, int y) { return x - 20 == y - 15; }, fit));
+  const auto upright = where([](int x, int) { return x == 20; });
+  const auto diagonal = where([](int x, int y) { return x - 20 == y - 15; });
+  EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.02f, 5, {upright.view()}, fit));
+  EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.02f, 5, {diagonal.view()}, fit));
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ struct Fixture {
   template <typename Accept>
   PointSet select(const Box& box, int budget, Accept&& accept) const {
     PointSet points;
-    selector()(box, budget, settings.window_radius, settings.min_gradient, accept, everywhere, nullptr, 0, 0, points);
+    selector()(box, budget, settings.window_radius, settings.min_gradient, accept, {}, nullptr, 0, 0, points);
     return points;
   }
 };
@@ -171,7 +171,7 @@ TEST(Selector, GivesAllASharedPlane) {
   dot::PlaneFit plane;
   plane.q = 0.021f, plane.du = 1e-6f, plane.dv = 2e-6f, plane.inliers = 300, plane.rms = 1e-4f;
   PointSet points;
-  f.selector()({120, 90, 80, 60}, 5000, 3, 3, everywhere, everywhere, &plane, 160, 120, points);
+  f.selector()({120, 90, 80, 60}, 5000, 3, 3, everywhere, {}, &plane, 160, 120, points);
   EXPECT_GT(points.size(), 500);
   for (std::size_t i = 0; i < points.u.size(); ++i) {
     EXPECT_FLOAT_EQ(points.q[i], 0.021f + 1e-6f * (points.u[i] - 160) + 2e-6f * (points.v[i] - 120));
@@ -201,7 +201,7 @@ TEST(Selector, AppendsToWhatThereIs) {
   const Fixture f;
   PointSet points;
   points.push(1, 2, 3, 4, 5, 6);
-  f.selector()(whole, 200, 5, 3, everywhere, everywhere, nullptr, 0, 0, points);
+  f.selector()(whole, 200, 5, 3, everywhere, {}, nullptr, 0, 0, points);
   EXPECT_GT(points.size(), 100);
   EXPECT_EQ(points.u[0], 1);
   EXPECT_EQ(points.sigma_q[0], 6);

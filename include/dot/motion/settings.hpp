@@ -15,9 +15,9 @@ enum class ClassifierKind : std::uint8_t {
 
 /// When an object's motion is accepted, and the reach of its search.
 struct ObjectSettings {
-  int min_points = 30;        ///< inside the image
-  double min_visible = 0.25;  ///< share of the object's points inside the image
-  double min_phi = 0.85;      ///< Pearson correlation
+  int min_points = 30;             ///< inside the image
+  double min_visible = 0.25;       ///< share of the object's points inside the image
+  double min_phi = 0.85;           ///< Pearson correlation
   double min_phi_expected = 0.75;  ///< of a fit that agrees with the velocity known before; no evidence of its own
   int min_inliers = 20;
   double min_inlier_share = 0.4;     ///< of the visible points

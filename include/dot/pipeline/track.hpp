@@ -29,11 +29,11 @@ struct Track {
   Mask mask;                       ///< what is shown in this frame
   const Mask* observed = nullptr;  ///< this frame's network mask, if one was associated; valid during `track`
   Vector3<double> observed_centre = Vector3<double>::Zero();  ///< of that mask, at its median depth; zero: no depth
-  bool segmented = false;          ///< there was one
-  bool discovered = false;         ///< found by its motion; no network mask so far
-  bool candidate = false;          ///< of those, one that does not count as moving at present: not shown
-  int confirmed = 0;               ///< of those, fits that agreed with the ones before, less those that did not
-  double support = 0;              ///< of those, share of the mask that contradicts a standing scene; smoothed
+  bool segmented = false;                                     ///< there was one
+  bool discovered = false;                                    ///< found by its motion; no network mask so far
+  bool candidate = false;  ///< of those, one that does not count as moving at present: not shown
+  int confirmed = 0;       ///< of those, fits that agreed with the ones before, less those that did not
+  double support = 0;      ///< of those, share of the mask that contradicts a standing scene; smoothed
   bool visible = false;
   bool contradicted = false;  ///< the last segmentation did not show it where it should be seen
 
@@ -52,12 +52,13 @@ struct Track {
   double p_moving = 0.5;
   Vector3<double> velocity = Vector3<double>::Zero();  ///< fused, newest camera's axes
   Matrix3<double> velocity_covariance = Matrix3<double>::Zero();
-  VelocityTrust trust;   ///< in `velocity`
-  Vector3<double> position = Vector3<double>::Zero();  ///< centre of its visible part, newest camera's axes; z > 0: known
+  VelocityTrust trust;  ///< in `velocity`
+  Vector3<double> position =
+      Vector3<double>::Zero();  ///< centre of its visible part, newest camera's axes; z > 0: known
   Vector3<double> position_before = Vector3<double>::Zero();  ///< in the frame before, its axes
-  double size = 0;                                     ///< metres: root of the largest area that it has shown
-  double last_seen = 0;                                ///< timestamp
-  bool lost = false;     ///< to be dropped before the next frame
+  double size = 0;                                            ///< metres: root of the largest area that it has shown
+  double last_seen = 0;                                       ///< timestamp
+  bool lost = false;                                          ///< to be dropped before the next frame
 
   /// 1/m; nearer objects are followed first and painted last.
   double inverse_depth() const {

@@ -36,12 +36,13 @@ struct Selector {
   const SelectionSettings& settings;
 
   /// Appends up to about `budget` points.
-  /// @param accept (x, y) -> bool, may the pixel be a point; @param support (x, y) -> bool, may its depth be used.
+  /// @param accept (x, y) -> bool, may the pixel be a point; @param support whose depth its plane may use.
   /// @param min_gradient grey values per pixel.
   /// @param shared a plane for all points (distant object), also those whose depth was not measured; or null.
-  template <typename Accept, typename Support>
-  void operator()(const Box& box, int budget, int radius, double min_gradient, Accept&& accept, Support&& support,
-                  const PlaneFit* shared, int shared_u, int shared_v, PointSet& points) const {
+  template <typename Accept>
+  void operator()(const Box& box, int budget, int radius, double min_gradient, Accept&& accept,
+                  const DepthSupport& support, const PlaneFit* shared, int shared_u, int shared_v,
+                  PointSet& points) const {
     const int border = 4;  // the samplers' and the blur's reach
     const int x0 = std::max(box.x, border), x1 = std::min(box.x + box.width, inverse_depth.width - border);
     const int y0 = std::max(box.y, border), y1 = std::min(box.y + box.height, inverse_depth.height - border);
@@ -86,14 +87,13 @@ struct Selector {
         const float u = std::clamp((points.u[i] + 0.5f) * scale - 0.5f, 1.f, static_cast<float>(image.width()) - 2.01f);
         const float v =
             std::clamp((points.v[i] + 0.5f) * scale - 0.5f, 1.f, static_cast<float>(image.height()) - 2.01f);
-        out[i] = sample(image, u, v).value;
+        out[i] = sample_value(image, u, v);
       }
     }
   }
 
  private:
-  template <typename Support>
-  void add(int x, int y, int radius, Support&& support, const PlaneFit* shared, int shared_u, int shared_v,
+  void add(int x, int y, int radius, const DepthSupport& support, const PlaneFit* shared, int shared_u, int shared_v,
            PointSet& points) const {
     const float measured = inverse_depth(x, y);
     const float sigma = static_cast<float>(noise.pixel(measured > 0 ? measured : shared->q));

@@ -78,12 +78,7 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
   cv::Mat nearer;
   cv::dilate(outside, nearer, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
 
-  const auto on_surface = [&](int x, int y) {
-    const int mx = x - box.x, my = y - box.y;
-    if (mx < 0 || my < 0 || mx >= w || my >= h || !mask(mx, my)) return false;
-    const float q = depth(x, y);
-    return q >= q_min && q <= q_max;
-  };
+  const DepthSupport on_surface{mask, box.x, box.y, q_min, q_max};
   bool flat = false;
   const auto accept = [&](int x, int y) {
     const int mx = x - box.x, my = y - box.y;

@@ -158,9 +158,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
   if (options_.discover_unknown) discovery_.remember(ids_, current_.timestamp);
   const auto free = [&](int x, int y) { return blocked_(x, y) == 0; };
   fresh_.clear();
-  select(
-      {0, 0, camera_.width(), camera_.height()}, options_.selection.background_points, options_.selection.window_radius,
-      options_.selection.min_gradient, free, [](int, int) { return true; }, nullptr, 0, 0, fresh_);
+  select({0, 0, camera_.width(), camera_.height()}, options_.selection.background_points,
+         options_.selection.window_radius, options_.selection.min_gradient, free, {}, nullptr, 0, 0, fresh_);
   result_.too_little_depth = fresh_.size() < options_.camera.min_points;
   if (result_.too_little_depth) {  // go on with the points that the camera was last aligned to
     T_cur_background_ = camera_state_.T_cur_prev * T_cur_background_;

@@ -147,7 +147,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::find_again() {
     for (const TrackT* t : hidden) {
       const Vector3<double>& then = t->position;
       const double aside = (now.head<2>() / now.z() - then.head<2>() / then.z()).norm() * now.z() / t->size;
-      const double along = std::abs(now.z() / then.z() - 1) / std::max(options_.mask.depth_tolerance, t->size / now.z());
+      const double along =
+          std::abs(now.z() / then.z() - 1) / std::max(options_.mask.depth_tolerance, t->size / now.z());
       distance.push_back(now.z() > 0 && aside < 1 && along < 1 ? aside + along
                                                                : std::numeric_limits<double>::infinity());
     }

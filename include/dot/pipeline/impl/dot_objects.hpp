@@ -96,8 +96,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     last = k;
     const ObjectReference& older = object.references[static_cast<std::size_t>(k)];
     const SE3d start = older.T_cur_ref.inverse() * T_c * object.T_o * older.T_obj_cur_ref;
-    const ObjectFit long_fit =
-        object_estimator.fit(older, scene, {start}, known_velocity(object, older), current_.timestamp - older.timestamp, noise, aligner);
+    const ObjectFit long_fit = object_estimator.fit(older, scene, {start}, known_velocity(object, older),
+                                                    current_.timestamp - older.timestamp, noise, aligner);
     if (!long_fit.ok()) continue;
     decide_by(older, long_fit);
     const ObjectFit shared =
@@ -174,8 +174,7 @@ Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object) {
   if (object.fit.ok()) {
-    const KnownVelocity before{object.velocity, object.velocity_covariance,
-                               current_.timestamp - object.trust.last_fit};
+    const KnownVelocity before{object.velocity, object.velocity_covariance, current_.timestamp - object.trust.last_fit};
     object.trust.accept(!before.contradicts(object.fit.motion, object_estimator.settings.max_acceleration),
                         current_.timestamp);
   } else if (object.fit.reason == Reason::Implausible) {

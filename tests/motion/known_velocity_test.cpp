@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/motion/known_velocity.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using dot::KnownVelocity;
+using dot::Matrix3;
+using dot::MotionEstimate;
+using dot::Vector3;
+
+MotionEstimate fit(const Vector3<double>& velocity, const Vector3<double>& sigma) {
+  MotionEstimate e;
+  e.velocity = velocity;
+  e.covariance = sigma.cwiseAbs2().asDiagonal();
+  return e;
+}
+
+TEST(KnownVelocity, NothingKnownContradictsNothing) {
+  EXPECT_FALSE(KnownVelocity{}.contradicts(fit({50, 0, 0}, {0.01, 0.01, 0.01}), 10));
+}
+
+TEST(KnownVelocity, AccelerationAndErrorsAreAllowedFor) {
+  const Vector3<double> sure(1e-6, 1e-6, 1e-6);
+  KnownVelocity known{{9, 0, 0}, Matrix3<double>::Zero(), 0.1};
+  EXPECT_FALSE(known.contradicts(fit({9, 0, 0}, sure), 10));
+  EXPECT_FALSE(known.contradicts(fit({8.01, 0, 0}, sure), 10));
+  EXPECT_TRUE(known.contradicts(fit({7.99, 0, 0}, sure), 10));
+  EXPECT_FALSE(known.contradicts(fit({7.99, 0, 0}, sure), 11));
+  known.seconds = 0.2;
+  EXPECT_FALSE(known.contradicts(fit({7.99, 0, 0}, sure), 10));
+  known.seconds = 0.1;
+  // Three sigma beyond that, of the fit and of what was known together: 0.5 = hypot(0.3, 0.4).
+  known.covariance = 0.16 * Matrix3<double>::Identity();
+  EXPECT_FALSE(known.contradicts(fit({6.51, 0, 0}, {0.3, 0.3, 0.3}), 10));
+  EXPECT_TRUE(known.contradicts(fit({6.49, 0, 0}, {0.3, 0.3, 0.3}), 10));
+}
+
+// A far object's velocity along the ray may be anything while its sideways one is measured well.
+TEST(KnownVelocity, OnlyTheErrorAlongTheDifferenceCounts) {
+  const KnownVelocity known{{9, 0, 0}, Matrix3<double>::Zero(), 0.1};
+  EXPECT_FALSE(known.contradicts(fit({9, 0, 12}, {0.05, 0.05, 5}), 10));
+  EXPECT_TRUE(known.contradicts(fit({0, 0, 0}, {0.05, 0.05, 5}), 10));
+}
+
+TEST(VelocityTrust, NeedsFitsThatAgreeAndEndsWithRefusals) {
+  dot::VelocityTrust trust;
+  EXPECT_FALSE(trust.known());
+  trust.accept(false, 0.1);
+  trust.accept(true, 0.2);
+  EXPECT_FALSE(trust.known());
+  trust.accept(true, 0.3);
+  EXPECT_TRUE(trust.known());
+  EXPECT_EQ(trust.last_fit, 0.3);
+
+  trust.refuse();
+  trust.refuse();
+  EXPECT_TRUE(trust.known());
+  trust.accept(true, 0.6);
+  trust.refuse();
+  trust.refuse();
+  EXPECT_TRUE(trust.known()) << "refusals count in a row";
+  trust.refuse();
+  EXPECT_FALSE(trust.known()) << "a wrong velocity must not shut out right fits for good";
+  trust.accept(true, 1.0);
+  EXPECT_FALSE(trust.known());
+}
+
+TEST(VelocityTrust, AFitThatDisagreesStartsAgain) {
+  dot::VelocityTrust trust;
+  for (int i = 0; i < 5; ++i) trust.accept(true, 0.1 * i);
+  ASSERT_TRUE(trust.known());
+  trust.accept(false, 0.5);
+  EXPECT_FALSE(trust.known());
+  EXPECT_EQ(trust.agreeing, 1);
+}
+
+}  // namespace

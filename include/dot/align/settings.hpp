@@ -4,15 +4,19 @@
 
 namespace dot {
 
+/// Which kernels do the photometric reduction, see align/dispatch.hpp.
+enum class KernelVariant { Auto, Portable, Avx2, Avx512 };
+
 /// The photometric Gauss-Newton aligner.
 struct AlignSettings {
-  int max_levels = 5;                ///< of the image pyramid; fewer for small images
-  int max_iterations = 12;           ///< per level
-  double huber = 1.345;              ///< in sigma
-  double tukey = 4.685;              ///< in sigma: redescending cost that ranks local minima
-  double gradient_noise = 0.06;      ///< px: interpolation and model error, times the gradient
-  double min_intensity_sigma = 0.8;  ///< grey values, floor of the residual scale
-  double outlier = 3.5;              ///< in sigma, distance to the fitted line between intensities
+  int max_levels = 5;                          ///< of the image pyramid; fewer for small images
+  int max_iterations = 12;                     ///< per level
+  double huber = 1.345;                        ///< in sigma
+  double tukey = 4.685;                        ///< in sigma: redescending cost that ranks local minima
+  double gradient_noise = 0.06;                ///< px: interpolation and model error, times the gradient
+  double min_intensity_sigma = 0.8;            ///< grey values, floor of the residual scale
+  double outlier = 3.5;                        ///< in sigma, distance to the fitted line between intensities
+  KernelVariant kernel = KernelVariant::Auto;  ///< of dot::Tracker; for tests and comparisons
 };
 
 /// When a camera motion is accepted.

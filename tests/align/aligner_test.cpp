@@ -211,10 +211,8 @@ TEST(AlignCamera, TukeyRanksTheMajorityFirstWhereHuberIsCaptured) {
   const AlignProblem<Pinhole> problem{points, after, camera};
   const double sigma = aligner.intensity_sigma(problem, {SE3d{}}, 0);
   const auto huber = [&](const SE3d& T) {
-    std::vector<dot::PointResidual> residuals;
     const dot::ResidualNoise noise{static_cast<float>(sigma), 0.06f, 1.345f};
-    return aligner.reduction.linearize(points, 0, camera, after.levels[0], {T, 1, 0}, noise, {}, nullptr, residuals)
-        .cost;
+    return aligner.reduction.linearize(points, 0, camera, after.levels[0], {T, 1, 0}, noise, {}, nullptr).cost;
   };
   const auto tukey = [&](const SE3d& T) { return aligner.rank(problem, {T, 1, 0}, 0, sigma); };
   EXPECT_GT(huber(SE3d{}), huber(turn));

@@ -8,8 +8,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "dot/align/kernel_reduction.hpp"
 #include "dot/align/pearson.hpp"
-#include "dot/align/reduction.hpp"
 #include "dot/align/robust.hpp"
 #include "dot/align/settings.hpp"
 #include "dot/image/depth_pyramid.hpp"
@@ -71,7 +71,7 @@ struct Alignment {
 
 /// Direct aligner: Gauss-Newton on the Huber cost, coarse to fine, with jointly estimated gain and offset
 /// (paper eq. 1-5). Buffers are kept from call to call.
-template <typename Reduction = SerialReduction>
+template <typename Reduction = DefaultReduction>
 struct DirectAligner {
   AlignSettings settings;
   Reduction reduction;
@@ -93,9 +93,10 @@ struct DirectAligner {
     residuals(problem, 0, a.state, a.sigma_intensity);
     a.sigma_intensity = scale_of_residuals();
     excluded_.assign(static_cast<std::size_t>(problem.points.size()), 0);
-    const auto s2 = [&](const PointResidual& p) { return sq(a.sigma_intensity) + static_cast<double>(p.extra); };
-    for (std::size_t i = 0; i < residuals_.size(); ++i)
-      excluded_[i] = residuals_[i].seen && sq(residuals_[i].r) > sq(settings.outlier) * s2(residuals_[i]);
+    const PointResiduals& p = residuals_;
+    const auto r2 = [&](std::size_t i) { return sq(static_cast<double>(p.r[i])); };
+    const auto s2 = [&](std::size_t i) { return sq(a.sigma_intensity) + static_cast<double>(p.extra[i]); };
+    for (std::size_t i = 0; i < p.size(); ++i) excluded_[i] = p.seen(i) && r2(i) > sq(settings.outlier) * s2(i);
     refine(problem, 0, a);
     // Statistics over all points, the excluded too.
     residuals(problem, 0, a.state, a.sigma_intensity);
@@ -103,20 +104,19 @@ struct DirectAligner {
     double sum = 0;
     scratch_.clear();
     a.inside = a.seen = a.occluded = a.inliers = a.with_depth = a.depth_agrees = 0;
-    for (std::size_t i = 0; i < residuals_.size(); ++i) {
-      const PointResidual& p = residuals_[i];
-      a.occluded += p.occluded;
-      if (!p.seen) continue;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      a.occluded += p.occluded(i);
+      if (!p.seen(i)) continue;
       ++a.seen;
-      if (p.has_depth) {
+      if (p.has_depth(i)) {
         ++a.with_depth;
-        scratch_.push_back(std::abs(p.r_depth));
-        a.depth_agrees += std::abs(p.r_depth) < problem.depth.agreement;
+        scratch_.push_back(std::abs(p.r_depth[i]));
+        a.depth_agrees += std::abs(p.r_depth[i]) < problem.depth.agreement;
       }
-      if (sq(p.r) > sq(settings.outlier) * s2(p)) continue;
+      if (r2(i) > sq(settings.outlier) * s2(i)) continue;
       ++a.inliers;
-      sum += sq(p.r) / s2(p);
-      pearson.add(static_cast<double>(problem.points.intensity[0][i]), static_cast<double>(p.value));
+      sum += r2(i) / s2(i);
+      pearson.add(static_cast<double>(problem.points.intensity[0][i]), static_cast<double>(p.value[i]));
     }
     a.inside = a.seen + a.occluded;
     a.phi = pearson.correlation();
@@ -132,12 +132,13 @@ struct DirectAligner {
     double sum = 0;
     int seen = 0;
     const float s2 = static_cast<float>(sq(sigma_intensity)), c = static_cast<float>(settings.tukey);
-    for (const PointResidual& p : residuals_) {
-      if (!p.seen) continue;
+    const PointResiduals& p = residuals_;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (!p.seen(i)) continue;
       ++seen;
-      sum += static_cast<double>(tukey_cost(p.r / std::sqrt(s2 + p.extra), c));
-      if (p.has_depth && problem.depth.weight > 0)
-        sum += static_cast<double>(problem.depth.weight * tukey_cost(p.r_depth / problem.depth.sigma, c));
+      sum += static_cast<double>(tukey_cost(p.r[i] / std::sqrt(s2 + p.extra[i]), c));
+      if (p.has_depth(i) && problem.depth.weight > 0)
+        sum += static_cast<double>(problem.depth.weight * tukey_cost(p.r_depth[i] / problem.depth.sigma, c));
     }
     if (seen < 10) return std::numeric_limits<double>::infinity();
     sum += problem.photometric_cost(state);
@@ -163,8 +164,8 @@ struct DirectAligner {
       residuals(problem, 0, state, 1);
       Pearson line;
       for (std::size_t i = 0; i < residuals_.size(); ++i)
-        if (residuals_[i].seen && std::abs(residuals_[i].r) < limit)
-          line.add(static_cast<double>(problem.points.intensity[0][i]), static_cast<double>(residuals_[i].value));
+        if (residuals_.seen(i) && std::abs(residuals_.r[i]) < limit)
+          line.add(static_cast<double>(problem.points.intensity[0][i]), static_cast<double>(residuals_.value[i]));
       if (line.n < 10 || line.slope() <= 0) return AlignState{T};
       state.gain = line.slope();
       state.offset = line.intercept();
@@ -187,19 +188,18 @@ struct DirectAligner {
                         problem.depth_at(level), residuals_);
   }
 
+  bool counts(std::size_t i) const { return residuals_.seen(i) && !(i < excluded_.size() && excluded_[i]); }
+
   double scale_of_residuals() {
     scratch_.clear();
     for (std::size_t i = 0; i < residuals_.size(); ++i)
-      if (residuals_[i].seen && !(i < excluded_.size() && excluded_[i])) scratch_.push_back(std::abs(residuals_[i].r));
+      if (counts(i)) scratch_.push_back(std::abs(residuals_.r[i]));
     double sigma = std::max(settings.min_intensity_sigma, static_cast<double>(mad_sigma(scratch_)));
     for (int pass = 0; pass < 3; ++pass) {
       scratch_.clear();
       const float s2 = static_cast<float>(sigma * sigma);
-      for (std::size_t i = 0; i < residuals_.size(); ++i) {
-        const PointResidual& p = residuals_[i];
-        if (p.seen && !(i < excluded_.size() && excluded_[i]))
-          scratch_.push_back(std::abs(p.r) / std::sqrt(s2 + p.extra));
-      }
+      for (std::size_t i = 0; i < residuals_.size(); ++i)
+        if (counts(i)) scratch_.push_back(std::abs(residuals_.r[i]) / std::sqrt(s2 + residuals_.extra[i]));
       sigma = std::max(settings.min_intensity_sigma, sigma * static_cast<double>(mad_sigma(scratch_)));
     }
     return sigma;
@@ -219,8 +219,8 @@ struct DirectAligner {
       double accepted_cost = std::numeric_limits<double>::infinity();
       a.converged = false;
       for (int iteration = 0; iteration < settings.max_iterations; ++iteration) {
-        NormalEquations sums = reduction.linearize(problem.points, level, camera, image, a.state, noise, depth,
-                                                   excluded_.data(), residuals_);
+        NormalEquations sums =
+            reduction.linearize(problem.points, level, camera, image, a.state, noise, depth, excluded_.data());
         if (sums.seen < 10) {
           a.state = accepted;
           break;
@@ -277,7 +277,7 @@ struct DirectAligner {
     }
   }
 
-  std::vector<PointResidual> residuals_;
+  PointResiduals residuals_;
   std::vector<std::uint8_t> excluded_;
   std::vector<float> scratch_;
 };

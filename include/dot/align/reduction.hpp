@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dot/abi.hpp"
+#include "dot/align/kernel.hpp"
 #include "dot/image/pyramid.hpp"
 #include "dot/lie/se3.hpp"
 #include "dot/points/point_set.hpp"
@@ -49,15 +50,22 @@ struct ResidualNoise {
   float huber = 1.345f;
 };
 
-/// One point's residual at a pose.
-struct PointResidual {
-  float r = 0;                 ///< grey values
-  float extra = 0;             ///< variance besides sigma_I^2
-  float value = 0;             ///< I_i(p')
-  float r_depth = 0;           ///< measured minus predicted inverse depth, 1/m
-  std::uint8_t seen = 0;       ///< 1: inside the image, in front, not hidden
-  std::uint8_t has_depth = 0;  ///< r_depth holds
-  std::uint8_t occluded = 0;   ///< inside the image, but hidden
+/// Residuals at a pose, structure of arrays of one value a point; zero where the point is not seen.
+struct PointResiduals {
+  std::vector<float> r;                  ///< grey values
+  std::vector<float> extra;              ///< variance besides sigma_I^2
+  std::vector<float> value;              ///< I_i(p')
+  std::vector<float> r_depth;            ///< measured minus predicted inverse depth, 1/m
+  std::vector<std::uint8_t> visibility;  ///< a sum of kernel::kSeen, kHasDepth, kOccluded
+
+  std::size_t size() const { return r.size(); }
+  void resize(std::size_t n) {
+    for (std::vector<float>* a : {&r, &extra, &value, &r_depth}) a->resize(n);
+    visibility.resize(n);
+  }
+  bool seen(std::size_t i) const { return visibility[i] & kernel::kSeen; }
+  bool has_depth(std::size_t i) const { return visibility[i] & kernel::kHasDepth; }
+  bool occluded(std::size_t i) const { return visibility[i] & kernel::kOccluded; }
 };
 
 /// Sums over the points. `depth_*` is kept apart: it serves objects only.
@@ -74,32 +82,33 @@ struct NormalEquations {
   std::array<Vector8, 4> modes{Vector8::Zero(), Vector8::Zero(), Vector8::Zero(), Vector8::Zero()};
 };
 
-/// The readable reference: one point after the other, any camera. A faster one has the same two functions.
+/// The readable reference: one point after the other, any camera. A faster one (align/kernel_reduction.hpp) has the
+/// same two functions.
 struct SerialReduction {
-  /// Residuals at `state`, without derivatives. `excluded[i]` non-zero leaves a point out; may be null.
+  /// Residuals at `state`, without derivatives.
   template <typename Camera>
-  static int residuals(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
-                       const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
-                       std::vector<PointResidual>& out) {
-    return run<false>(points, level, camera, image, state, noise, depth, nullptr, out, nullptr);
+  static void residuals(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
+                        const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
+                        PointResiduals& out) {
+    out.resize(static_cast<std::size_t>(points.size()));
+    run(points, level, camera, image, state, noise, depth, nullptr, &out, nullptr);
   }
 
-  /// Normal equations at `state`; leaves the residuals in `out`.
+  /// Normal equations at `state`. `excluded[i]` non-zero leaves a point out; may be null.
   template <typename Camera>
   static NormalEquations linearize(const PointSet& points, int level, const Camera& camera,
                                    const Image<std::uint8_t>& image, const AlignState& state,
-                                   const ResidualNoise& noise, const DepthTerm& depth, const std::uint8_t* excluded,
-                                   std::vector<PointResidual>& out) {
+                                   const ResidualNoise& noise, const DepthTerm& depth, const std::uint8_t* excluded) {
     NormalEquations sums;
-    run<true>(points, level, camera, image, state, noise, depth, excluded, out, &sums);
+    run(points, level, camera, image, state, noise, depth, excluded, nullptr, &sums);
     return sums;
   }
 
  private:
-  template <bool kDerivatives, typename Camera>
-  static int run(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
-                 const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
-                 const std::uint8_t* excluded, std::vector<PointResidual>& out, NormalEquations* sums);
+  template <typename Camera>
+  static void run(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
+                  const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
+                  const std::uint8_t* excluded, PointResiduals* out, NormalEquations* sums);
 };
 
 DOT_END_NAMESPACE

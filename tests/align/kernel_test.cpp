@@ -136,6 +136,8 @@ void expect_same(const NormalEquations& got, const NormalEquations& want, const 
   }
 }
 
+const Vector3<double> centre(0.3, -0.2, 2.5);
+
 /// Residuals and sums of all variants over points of which none is doubtful.
 void compare(const PointSet& points, const AlignState& state, const DepthTerm& depth, std::size_t* seen = nullptr) {
   const Image<std::uint8_t> image = texture(160, 120);
@@ -145,7 +147,7 @@ void compare(const PointSet& points, const AlignState& state, const DepthTerm& d
   PointResiduals want;
   SerialReduction::residuals(points, 0, camera, image, state, noise, depth, want);
   const NormalEquations sums =
-      SerialReduction::linearize(points, 0, camera, image, state, noise, depth, excluded.data());
+      SerialReduction::linearize(points, 0, camera, image, state, noise, depth, excluded.data(), centre);
   if (seen) *seen = static_cast<std::size_t>(sums.seen);
   for (const kernel::Kernels* k : variants()) {
     const KernelReduction reduction{k};
@@ -165,7 +167,8 @@ void compare(const PointSet& points, const AlignState& state, const DepthTerm& d
       EXPECT_NEAR(got.r_depth[i], want.r_depth[i], 1e-5) << k->name << " " << i;
     }
     EXPECT_LE(differ, n / 50 + 1);
-    expect_same(reduction.linearize(points, 0, camera, image, state, noise, depth, excluded.data()), sums, k->name);
+    expect_same(reduction.linearize(points, 0, camera, image, state, noise, depth, excluded.data(), centre), sums,
+                k->name);
   }
 }
 

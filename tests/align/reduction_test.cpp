@@ -192,6 +192,37 @@ TYPED_TEST(ReductionOf, DepthResidualHasItsDerivatives) {
   EXPECT_GT(checked, 30);
 }
 
+TYPED_TEST(ReductionOf, TwistMayBeAboutAnyPoint) {
+  const Image<std::uint8_t> image = ramp();
+  const AlignState state{motion, 1, 0};
+  const dot::Vector3<double> centre(0.4, -0.7, 3);
+  // T <- Tr(c) exp(xi) Tr(-c) T = exp(Ad(Tr(c)) xi) T.
+  Matrix8 Ad = Matrix8::Identity();
+  Ad.topLeftCorner<6, 6>() = SE3d::translation(centre).adjoint();
+  Image<float> measured(96, 64);
+  int checked = 0;
+  this->for_points([&](const PointSet& points) {
+    measured.fill(0.95f * points.q[0]);
+    DepthTerm depth;
+    depth.inverse_depth = measured.view();
+    depth.sigma = 0.1f * points.q[0];
+    depth.weight = 0.3f;
+    depth.occlusion_relative = 10;
+    const auto about = [&](const dot::Vector3<double>& c) {
+      return SerialReduction::linearize(points, 0, this->camera(), image, state, plain, depth, nullptr, c);
+    };
+    const NormalEquations origin = about(dot::Vector3<double>::Zero()), moved = about(centre);
+    if (!moved.seen) return;
+    ++checked;
+    EXPECT_TRUE(matrices_match(moved.H, Matrix8(Ad.transpose() * origin.H * Ad), 1e-4));
+    EXPECT_TRUE(matrices_match(moved.g, Vector8(Ad.transpose() * origin.g), 1e-4));
+    for (std::size_t m = 0; m < 4; ++m)
+      EXPECT_TRUE(matrices_match(moved.modes[m], Vector8(Ad.transpose() * origin.modes[m]), 1e-4));
+    EXPECT_EQ(moved.cost, origin.cost);
+  });
+  EXPECT_GT(checked, 30);
+}
+
 TEST(Reduction, HuberBoundsTheGradient) {
   const Image<std::uint8_t> image = ramp();
   PointResiduals out;

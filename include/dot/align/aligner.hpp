@@ -219,20 +219,20 @@ struct DirectAligner {
       double accepted_cost = std::numeric_limits<double>::infinity();
       a.converged = false;
       for (int iteration = 0; iteration < settings.max_iterations; ++iteration) {
-        NormalEquations sums =
-            reduction.linearize(problem.points, level, camera, image, a.state, noise, depth, excluded_.data());
-        if (sums.seen < 10) {
-          a.state = accepted;
-          break;
-        }
-        ++a.iterations;
-        // From the camera's left twist to x: T <- exp(Ad(A) x) T with A = T_outer Tr(c').
+        // From x to the twist about the centroid in the camera's axes, A = T_outer Tr(c'): T <- A exp(x) A^-1 T.
         const SE3d T_o = problem.T_outer.inverse() * a.state.T;
         const Vector3<double> moved =
             problem.centred ? Vector3<double>(T_o * problem.centroid) : Vector3<double>::Zero();
         const SE3d A = problem.T_outer * SE3d::translation(moved);
         Matrix8 Ad = Matrix8::Identity();
-        Ad.topLeftCorner<6, 6>() = A.adjoint();
+        Ad.block<3, 3>(0, 0) = Ad.block<3, 3>(3, 3) = A.R;
+        const NormalEquations sums =
+            reduction.linearize(problem.points, level, camera, image, a.state, noise, depth, excluded_.data(), A.t);
+        if (sums.seen < 10) {
+          a.state = accepted;
+          break;
+        }
+        ++a.iterations;
         Matrix8 H = Ad.transpose() * sums.H * Ad;
         Vector8 g = Ad.transpose() * sums.g;
         double cost = sums.cost;

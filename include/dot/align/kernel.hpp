@@ -35,6 +35,7 @@ struct View {
   float fx = 1, fy = 1, cx = 0, cy = 0;
   float R[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   float t[3] = {0, 0, 0};
+  float centre[3] = {0, 0, 0};  ///< metres, camera axes: the rotation's derivatives are about it
   float gain = 1, offset = 0;
 };
 

@@ -36,11 +36,14 @@ struct KernelReduction {
   template <typename Camera>
   NormalEquations linearize(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
                             const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
-                            const std::uint8_t* excluded) const {
+                            const std::uint8_t* excluded,
+                            const Vector3<double>& centre = Vector3<double>::Zero()) const {
     if constexpr (std::is_same_v<Camera, Pinhole>) {
       kernel::Depth measured;
+      kernel::Input in = input(points, level, camera, image, state, noise, depth, excluded, measured);
+      for (int k = 0; k < 3; ++k) in.view.centre[k] = static_cast<float>(centre[k]);
       kernel::Sums sums;
-      kernels->linearize(input(points, level, camera, image, state, noise, depth, excluded, measured), sums);
+      kernels->linearize(in, sums);
       NormalEquations out;
       out.H = Eigen::Map<const Matrix8>(sums.H);
       out.g = Eigen::Map<const Vector8>(sums.g);
@@ -51,7 +54,7 @@ struct KernelReduction {
       for (std::size_t m = 0; m < out.modes.size(); ++m) out.modes[m] = Eigen::Map<const Vector8>(sums.modes[m]);
       return out;
     } else {
-      return SerialReduction::linearize(points, level, camera, image, state, noise, depth, excluded);
+      return SerialReduction::linearize(points, level, camera, image, state, noise, depth, excluded, centre);
     }
   }
 

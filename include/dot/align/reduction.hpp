@@ -17,7 +17,9 @@
 ///
 /// Residual (paper eq. 3 and 5, made invariant to exposure): r = I_i(p') - a I_j(p) - b, with p' = Pi(T X), X the point
 /// of reference j in camera axes and T = T_i_j. In inverse depth, X~ = q T X = R (x, y, 1) + q t.
-/// Derivatives are taken for a left twist of T: T <- exp(xi) T, xi = [translation; rotation] in the axes of camera i.
+/// Derivatives are taken for a left twist of T about a point c, T <- Tr(c) exp(xi) Tr(-c) T, with c and
+/// xi = [translation; rotation] in the axes of camera i: dX~/dxi = [q I, -[X~ - q c]x]. About the middle of a far
+/// object the sums are well conditioned; about the camera its translation and rotation are nearly the same.
 
 DOT_BEGIN_NAMESPACE
 
@@ -91,16 +93,17 @@ struct SerialReduction {
                         const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
                         PointResiduals& out) {
     out.resize(static_cast<std::size_t>(points.size()));
-    run(points, level, camera, image, state, noise, depth, nullptr, &out, nullptr);
+    run(points, level, camera, image, state, noise, depth, nullptr, Vector3<double>::Zero(), &out, nullptr);
   }
 
-  /// Normal equations at `state`. `excluded[i]` non-zero leaves a point out; may be null.
+  /// Normal equations at `state`. `excluded[i]` non-zero leaves a point out; may be null. `centre` is c, metres.
   template <typename Camera>
   static NormalEquations linearize(const PointSet& points, int level, const Camera& camera,
                                    const Image<std::uint8_t>& image, const AlignState& state,
-                                   const ResidualNoise& noise, const DepthTerm& depth, const std::uint8_t* excluded) {
+                                   const ResidualNoise& noise, const DepthTerm& depth, const std::uint8_t* excluded,
+                                   const Vector3<double>& centre = Vector3<double>::Zero()) {
     NormalEquations sums;
-    run(points, level, camera, image, state, noise, depth, excluded, nullptr, &sums);
+    run(points, level, camera, image, state, noise, depth, excluded, centre, nullptr, &sums);
     return sums;
   }
 
@@ -108,7 +111,8 @@ struct SerialReduction {
   template <typename Camera>
   static void run(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
                   const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
-                  const std::uint8_t* excluded, PointResiduals* out, NormalEquations* sums);
+                  const std::uint8_t* excluded, const Vector3<double>& centre, PointResiduals* out,
+                  NormalEquations* sums);
 };
 
 DOT_END_NAMESPACE

@@ -89,6 +89,7 @@ void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Blo
   const F R0 = V::set(view.R[0]), R1 = V::set(view.R[1]), R2 = V::set(view.R[2]), R3 = V::set(view.R[3]);
   const F R4 = V::set(view.R[4]), R5 = V::set(view.R[5]), R6 = V::set(view.R[6]), R7 = V::set(view.R[7]);
   const F R8 = V::set(view.R[8]), t0 = V::set(view.t[0]), t1 = V::set(view.t[1]), t2 = V::set(view.t[2]);
+  const F c0 = V::set(-view.centre[0]), c1 = V::set(-view.centre[1]), c2 = V::set(-view.centre[2]);
   const F fx = V::set(view.fx), fy = V::set(view.fy), cx = V::set(view.cx), cy = V::set(view.cy);
   const F fx_half = V::set(0.5f * view.fx), fy_half = V::set(0.5f * view.fy);
   const F zero = V::set(0), one = V::set(1), z_min = V::set(1e-3f);
@@ -158,6 +159,7 @@ void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Blo
 
     if constexpr (kColumnsWanted) {
       const int k = at + i;
+      const F bx = V::fma(c0, qi, xn), by = V::fma(c1, qi, yn), bz = V::fma(c2, qi, one);
       const F inverse_s = V::inverse_sqrt(V::add(extra, s2_intensity));
       const F e = V::abs(V::mul(r, inverse_s));
       const F weight = V::div(V::mul(V::mul(inverse_s, inverse_s), huber), V::max(e, huber));
@@ -168,9 +170,9 @@ void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Blo
       V::store(c[0] + k, V::mul(gu, qi));
       V::store(c[1] + k, V::mul(gv, qi));
       V::store(c[2] + k, V::sub(zero, V::mul(along, qi)));
-      V::store(c[3] + k, V::sub(zero, V::fma(along, yn, gv)));
-      V::store(c[4] + k, V::fma(along, xn, gu));
-      V::store(c[5] + k, V::sub(V::mul(gv, xn), V::mul(gu, yn)));
+      V::store(c[3] + k, V::sub(zero, V::fma(along, by, V::mul(bz, gv))));
+      V::store(c[4] + k, V::fma(along, bx, V::mul(bz, gu)));
+      V::store(c[5] + k, V::sub(V::mul(gv, bx), V::mul(gu, by)));
       V::store(c[kReference] + k, V::sub(zero, intensity));
       V::store(c[kResidual] + k, r);
       if constexpr (kDepth) {
@@ -189,8 +191,8 @@ void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Blo
         tally.cost = V::add(tally.cost, V::keep(has_depth, cost));
         V::store(block->depth_weight + k, V::keep(has_depth, wq));
         V::store(block->depth[0] + k, V::mul(qi, qi));
-        V::store(block->depth[1] + k, V::mul(qi, yn));
-        V::store(block->depth[2] + k, V::sub(zero, V::mul(qi, xn)));
+        V::store(block->depth[1] + k, V::mul(qi, by));
+        V::store(block->depth[2] + k, V::sub(zero, V::mul(qi, bx)));
         V::store(block->depth[3] + k, r_depth);
       }
     } else {

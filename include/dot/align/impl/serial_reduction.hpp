@@ -21,11 +21,12 @@ inline void add(const float (&J)[8], float w, float r, NormalEquations& sums) {
 template <typename Camera>
 void SerialReduction::run(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
                           const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
-                          const std::uint8_t* excluded, PointResiduals* out, NormalEquations* sums) {
+                          const std::uint8_t* excluded, const Vector3<double>& centre, PointResiduals* out,
+                          NormalEquations* sums) {
   using Vector3f = Eigen::Matrix<float, 3, 1>;
   const int n = points.size();
   const Matrix3<float> R = state.T.R.cast<float>();
-  const Vector3f t = state.T.t.cast<float>();
+  const Vector3f t = state.T.t.cast<float>(), about = centre.cast<float>();
   const float gain = static_cast<float>(state.gain), offset = static_cast<float>(state.offset);
   // From pixels of this level to those of the depth, and of level 0.
   const float to_depth = std::ldexp(1.f, level - depth.level), to_base = std::ldexp(1.f, level);
@@ -97,8 +98,8 @@ void SerialReduction::run(const PointSet& points, int level, const Camera& camer
     }
 
     if (sums) {
-      // dX~/dxi = [q I, -[X~]x]
-      const Vector3f turn = X.cross(dr_dX);
+      const Vector3f arm = X - q * about;
+      const Vector3f turn = arm.cross(dr_dX);
       const float J[8] = {q * dr_dX.x(), q * dr_dX.y(), q * dr_dX.z(), turn.x(), turn.y(), turn.z(), -reference[k], -1};
       const float s2 = s2_intensity + extra;
       const float e = r / std::sqrt(s2);
@@ -112,7 +113,7 @@ void SerialReduction::run(const PointSet& points, int level, const Camera& camer
         if (has_depth && depth.weight > 0) {
           // r_depth = measured - q / Z~; the predicted q' = q / Z~ moves by -q' dZ~ / Z~.
           const float f = qi / X.z();
-          const float Jq[8] = {0, 0, f * q, f * X.y(), -f * X.x(), 0, 0, 0};
+          const float Jq[8] = {0, 0, f * q, f * arm.y(), -f * arm.x(), 0, 0, 0};
           const float eq = r_depth / depth.sigma;
           const float wq = depth.weight * huber_weight(eq, noise.huber) / (depth.sigma * depth.sigma);
           add(Jq, wq, r_depth, *sums);

@@ -188,21 +188,29 @@ struct DirectAligner {
                         problem.depth_at(level), residuals_);
   }
 
-  bool counts(std::size_t i) const { return residuals_.seen(i) && !(i < excluded_.size() && excluded_[i]); }
-
+  /// Robust sigma_I of the residuals that count, by fixed point: the median of squares is the square of the median.
   double scale_of_residuals() {
-    scratch_.clear();
-    for (std::size_t i = 0; i < residuals_.size(); ++i)
-      if (counts(i)) scratch_.push_back(std::abs(residuals_.r[i]));
-    double sigma = std::max(settings.min_intensity_sigma, static_cast<double>(mad_sigma(scratch_)));
+    const PointResiduals& p = residuals_;
+    squares_.resize(p.size());
+    extra_.resize(p.size());
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      squares_[n] = p.r[i] * p.r[i];
+      extra_[n] = p.extra[i];
+      n += p.seen(i) && !(i < excluded_.size() && excluded_[i]);
+    }
+    scratch_.assign(squares_.begin(), squares_.begin() + static_cast<std::ptrdiff_t>(n));
+    double sigma = std::max(settings.min_intensity_sigma, sigma_of_median_square());
     for (int pass = 0; pass < 3; ++pass) {
-      scratch_.clear();
       const float s2 = static_cast<float>(sigma * sigma);
-      for (std::size_t i = 0; i < residuals_.size(); ++i)
-        if (counts(i)) scratch_.push_back(std::abs(residuals_.r[i]) / std::sqrt(s2 + residuals_.extra[i]));
-      sigma = std::max(settings.min_intensity_sigma, sigma * static_cast<double>(mad_sigma(scratch_)));
+      scratch_.resize(n);
+      for (std::size_t i = 0; i < n; ++i) scratch_[i] = squares_[i] / (s2 + extra_[i]);
+      sigma = std::max(settings.min_intensity_sigma, sigma * sigma_of_median_square());
     }
     return sigma;
+  }
+  double sigma_of_median_square() {
+    return static_cast<double>(kSigmaOfMedian * std::sqrt(median_of_magnitudes(scratch_)));
   }
 
   /// Gauss-Newton on one level, twice: the residual scale follows the first convergence.
@@ -279,7 +287,7 @@ struct DirectAligner {
 
   PointResiduals residuals_;
   std::vector<std::uint8_t> excluded_;
-  std::vector<float> scratch_;
+  std::vector<float> scratch_, squares_, extra_;
 };
 
 DOT_END_NAMESPACE

@@ -110,6 +110,25 @@ TEST(KernelBounds, ReadAndWriteWithinTheArrays) {
     }
 }
 
+TEST(KernelBounds, ImagesTooSmallToSampleAreNotRead) {
+  const Guarded image(8, false);  // it is before the first byte that a clamped coordinate would lead
+  const float at[3] = {0, 1, 2}, zero[3] = {};
+  float r[3], extra[3], value[3], r_depth[3];
+  unsigned char visibility[3];
+  for (const kernel::Kernels* k : variants())
+    for (const auto& [width, height] : {std::pair{1, 8}, {8, 1}, {4, 2}, {2, 4}, {0, 0}}) {
+      kernel::Input in;
+      in.points = {3, at, at, zero, zero, zero, at, at, nullptr};
+      in.level = {image.bytes(), width, height, width};
+      kernel::Sums sums;
+      k->linearize(in, sums);
+      EXPECT_EQ(sums.seen, 0) << k->name;
+      std::memset(visibility, 255, sizeof visibility);
+      k->residuals(in, {r, extra, value, r_depth, visibility});
+      EXPECT_EQ(visibility[0] | visibility[1] | visibility[2], 0) << k->name;
+    }
+}
+
 TEST(KernelBounds, TheLastByteOfTheMaskCounts) {
   constexpr int kSize = 12;
   const Guarded image(kSize * kSize, true), depth_image(4 * kSize * kSize, true), hidden(kSize * kSize, true);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // One Gauss-Newton iteration of the photometric reduction, in nanoseconds a point: each kernel of this machine, for the
-// pose alone and with gain and offset, beside a bare loop that does no more than any such kernel must. 640x480, the
-// 5 % of the pixels with the strongest gradient, full resolution.
+// pose alone (for each source of gradients) and with gain and offset, beside a bare loop that does no more than any
+// such kernel must. 640x480, the 5 % of the pixels with the strongest gradient, full resolution.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -51,7 +51,8 @@ struct Problem {
       const int u = p->second % w, v = p->second / w;
       const auto ray = camera.unproject(dot::Vector2<float>(static_cast<float>(u), static_cast<float>(v)));
       points.push(static_cast<float>(u), static_cast<float>(v), ray.x(), ray.y(), inverse_depth(u, v), 0.005f);
-      points.intensity[0].push_back(image(u, v));
+      const dot::Sample s = dot::sample(image, static_cast<float>(u), static_cast<float>(v));
+      points.intensity[0].push_back(s.value), points.gu[0].push_back(s.gx), points.gv[0].push_back(s.gy);
     }
   }
 };
@@ -66,8 +67,9 @@ void report(benchmark::State& state, int points) {
   state.counters["ns_per_point"] = Counter(1e-9 * points, Counter::kIsIterationInvariantRate | Counter::kInvert);
 }
 
-/// Nanoseconds of `linearize` are those of all points; `full`: gain and offset too, `depth`: and the depth term.
-void kernels(benchmark::State& state, const dot::kernel::Kernels* k, bool full, bool depth) {
+/// `full`: gain and offset too; `depth`: and the depth term.
+void kernels(benchmark::State& state, const dot::kernel::Kernels* k, bool full, bool depth,
+             dot::GradientSource gradient = dot::GradientSource::Image) {
   const Problem& p = problem();
   dot::DepthTerm term;
   if (depth) {
@@ -75,8 +77,9 @@ void kernels(benchmark::State& state, const dot::kernel::Kernels* k, bool full, 
     term.sigma = 0.01f, term.weight = 0.3f;
   }
   dot::kernel::Depth measured;
-  const dot::kernel::Input in =
+  dot::kernel::Input in =
       dot::KernelReduction::input(p.points, 0, p.camera, p.image, p.state, p.noise, term, nullptr, measured);
+  in.gradient = gradient;
   dot::kernel::Sums sums;
   for (auto _ : state) {
     full ? k->linearize(in, sums) : k->linearize_pose(in, sums);
@@ -126,6 +129,9 @@ void add(const std::string& name, dot::KernelVariant variant, dot::bench::BareLo
   };
   if (loop) one("bare_loop", [=](benchmark::State& s) { bare(s, loop); });
   one("pose", [=](benchmark::State& s) { kernels(s, k, false, false); });
+  one("pose_mean_gradient", [=](benchmark::State& s) { kernels(s, k, false, false, dot::GradientSource::Mean); });
+  one("pose_reference_gradient",
+      [=](benchmark::State& s) { kernels(s, k, false, false, dot::GradientSource::Reference); });
   one("pose_gain_offset", [=](benchmark::State& s) { kernels(s, k, true, false); });
   one("with_depth", [=](benchmark::State& s) { kernels(s, k, true, true); });
   one("residuals", [=](benchmark::State& s) { residuals(s, k); });

@@ -103,6 +103,17 @@ TEST(AlignCamera, FindsBoth) {
   expect_exact(pair, pair.align(SE3d{}));
 }
 
+TEST(AlignCamera, FindsItByTheGradientsOfEitherImage) {
+  const Pair pair(motion(0.05, -0.03, -0.1, 0.01, -0.02, 0.03));
+  for (const dot::GradientSource gradient : {dot::GradientSource::Reference, dot::GradientSource::Mean}) {
+    DirectAligner<> aligner;
+    aligner.settings.gradient = gradient;
+    Alignment a = aligner.align(pair.problem(), {SE3d{}}, kLevels - 1);
+    aligner.finish(pair.problem(), a);
+    expect_exact(pair, a);
+  }
+}
+
 TEST(AlignCamera, RefinesAPrediction) {
   const SE3d T = motion(0.6, 0.1, -0.5, 0.05, -0.12, 0.1);
   const Pair pair(T);

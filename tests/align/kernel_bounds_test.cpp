@@ -60,7 +60,8 @@ TEST(KernelBounds, ReadAndWriteWithinTheArrays) {
       const auto count = static_cast<std::size_t>(n);
       const Guarded x(4 * count, at_the_end), y(4 * count, at_the_end), q(4 * count, at_the_end);
       const Guarded sigma_q(4 * count, at_the_end), intensity(4 * count, at_the_end), u(4 * count, at_the_end);
-      const Guarded v(4 * count, at_the_end), excluded(count, at_the_end);
+      const Guarded v(4 * count, at_the_end), gu(4 * count, at_the_end), gv(4 * count, at_the_end);
+      const Guarded excluded(count, at_the_end);
       const Guarded image(kWidth * kHeight, at_the_end), depth_image(4 * kWidth * kHeight, at_the_end);
       const Guarded hidden(kHiddenStride * (kHeight - 1) + kWidth, at_the_end);
       const Guarded r(4 * count, at_the_end), extra(4 * count, at_the_end), value(4 * count, at_the_end);
@@ -79,11 +80,15 @@ TEST(KernelBounds, ReadAndWriteWithinTheArrays) {
         if (i % 7 == 0) x.floats()[i] = y.floats()[i] = 1;
         q.floats()[i] = sigma_q.floats()[i] = 0.5f;
         intensity.floats()[i] = 100;
+        gu.floats()[i] = gv.floats()[i] = 3;
         excluded.bytes()[i] = i % 13 == 5;
       }
       kernel::Input in;
-      in.points = {n,          x.floats(), y.floats(),      q.floats(), sigma_q.floats(), intensity.floats(),
-                   u.floats(), v.floats(), excluded.bytes()};
+      kernel::Points& p = in.points;
+      p.n = n;
+      p.x = x.floats(), p.y = y.floats(), p.q = q.floats(), p.sigma_q = sigma_q.floats();
+      p.intensity = intensity.floats(), p.gu = gu.floats(), p.gv = gv.floats(), p.u = u.floats(), p.v = v.floats();
+      p.excluded = excluded.bytes();
       in.level = {image.bytes(), kWidth, kHeight, kWidth};
       kernel::Depth depth;
       depth.data = depth_image.floats();
@@ -97,6 +102,7 @@ TEST(KernelBounds, ReadAndWriteWithinTheArrays) {
           for (const float scale : {1.f, 1.06f}) {
             depth.scale = depth.hidden_scale = scale;
             in.depth = term;
+            in.gradient = scale > 1 ? dot::GradientSource::Mean : dot::GradientSource::Reference;
             kernel::Sums sums, pose;
             k->linearize(in, sums);
             k->linearize_pose(in, pose);
@@ -118,7 +124,7 @@ TEST(KernelBounds, ImagesTooSmallToSampleAreNotRead) {
   for (const kernel::Kernels* k : variants())
     for (const auto& [width, height] : {std::pair{1, 8}, {8, 1}, {4, 2}, {2, 4}, {0, 0}}) {
       kernel::Input in;
-      in.points = {3, at, at, zero, zero, zero, at, at, nullptr};
+      in.points = {3, at, at, zero, zero, zero, zero, zero, at, at, nullptr};
       in.level = {image.bytes(), width, height, width};
       kernel::Sums sums;
       k->linearize(in, sums);
@@ -136,7 +142,7 @@ TEST(KernelBounds, TheLastByteOfTheMaskCounts) {
   std::memset(depth_image.bytes(), 0, 4 * kSize * kSize);
   const float at = kSize - 3.25f, zero = 0, one = 1;
   kernel::Input in;
-  in.points = {1, &at, &at, &one, &zero, &zero, &at, &at, nullptr};
+  in.points = {1, &at, &at, &one, &zero, &zero, &zero, &zero, &at, &at, nullptr};
   in.level = {image.bytes(), kSize, kSize, kSize};
   kernel::Depth depth;
   depth.data = depth_image.floats();

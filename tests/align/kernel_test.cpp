@@ -71,6 +71,8 @@ PointSet random_points(int n, unsigned seed) {
     points.push(u, v, ray.x(), ray.y(), q, 0.02f * q);
     const double grey = 128 + 60 * std::sin(0.31 * u + 0.07 * v) + 50 * std::cos(0.23 * v) + random.normal(8);
     points.intensity[0].push_back(static_cast<float>(grey));
+    points.gu[0].push_back(static_cast<float>(18.6 * std::cos(0.31 * u + 0.07 * v)));
+    points.gv[0].push_back(static_cast<float>(4.2 * std::cos(0.31 * u + 0.07 * v) - 11.5 * std::sin(0.23 * v)));
   }
   return points;
 }
@@ -139,20 +141,21 @@ void expect_same(const NormalEquations& got, const NormalEquations& want, const 
 const Vector3<double> centre(0.3, -0.2, 2.5);
 
 /// Residuals and sums of all variants over points of which none is doubtful.
-void compare(const PointSet& points, const AlignState& state, const DepthTerm& depth, std::size_t* seen = nullptr) {
+void compare(const PointSet& points, const AlignState& state, const DepthTerm& depth, std::size_t* seen = nullptr,
+             const ResidualNoise& model = noise) {
   const Image<std::uint8_t> image = texture(160, 120);
   const std::size_t n = points.u.size();
   std::vector<std::uint8_t> excluded(n);
   for (std::size_t i = 0; i < n; ++i) excluded[i] = i % 11 == 3 || doubtful(points, i, state, depth);
   PointResiduals want;
-  SerialReduction::residuals(points, 0, camera, image, state, noise, depth, want);
+  SerialReduction::residuals(points, 0, camera, image, state, model, depth, want);
   const NormalEquations sums =
-      SerialReduction::linearize(points, 0, camera, image, state, noise, depth, excluded.data(), centre);
+      SerialReduction::linearize(points, 0, camera, image, state, model, depth, excluded.data(), centre);
   if (seen) *seen = static_cast<std::size_t>(sums.seen);
   for (const kernel::Kernels* k : variants()) {
     const KernelReduction reduction{k};
     PointResiduals got;
-    reduction.residuals(points, 0, camera, image, state, noise, depth, got);
+    reduction.residuals(points, 0, camera, image, state, model, depth, got);
     ASSERT_EQ(got.size(), n);
     std::size_t differ = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -167,7 +170,7 @@ void compare(const PointSet& points, const AlignState& state, const DepthTerm& d
       EXPECT_NEAR(got.r_depth[i], want.r_depth[i], 1e-5) << k->name << " " << i;
     }
     EXPECT_LE(differ, n / 50 + 1);
-    expect_same(reduction.linearize(points, 0, camera, image, state, noise, depth, excluded.data(), centre), sums,
+    expect_same(reduction.linearize(points, 0, camera, image, state, model, depth, excluded.data(), centre), sums,
                 k->name);
   }
 }
@@ -191,6 +194,20 @@ TEST(Kernel, AgreesOnTheDepthTerm) {
     compare(random_points(3000, seed), {motion, 0.95, 3}, measured.term, &seen);
     measured.term.weight = measured.term.sigma = 0;
     compare(random_points(3000, seed), {SE3d{}, 1, 0}, measured.term, &seen);
+  }
+}
+
+TEST(Kernel, AgreesWhosesoeverGradientsAreTaken) {
+  for (const dot::GradientSource gradient : {dot::GradientSource::Reference, dot::GradientSource::Mean}) {
+    ResidualNoise by = noise;
+    by.gradient = gradient;
+    compare(random_points(1500, 16), {motion, 1.08, -5}, {}, nullptr, by);
+    compare(random_points(1501, 17), {motion, 1.08, -5}, Measured(17).term, nullptr, by);
+    compare(random_points(5, 18), {motion, 1.08, -5}, {}, nullptr, by);
+    PointSet without = random_points(5, 18);
+    without.gu[0].clear();
+    EXPECT_THROW(KernelReduction{}.linearize(without, 0, camera, texture(160, 120), {}, by, {}, nullptr),
+                 std::invalid_argument);
   }
 }
 

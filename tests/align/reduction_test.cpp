@@ -223,6 +223,33 @@ TYPED_TEST(ReductionOf, TwistMayBeAboutAnyPoint) {
   EXPECT_GT(checked, 30);
 }
 
+TEST(Reduction, TheReferencesGradientStandsForTheImages) {
+  const Image<std::uint8_t> image = ramp();  // its gradient is (1, 2) everywhere
+  const AlignState state{SE3d::translation({0.1, -0.2, 0.9}), 1.2, -3};
+  int checked = 0;
+  ReductionOf<dot::Pinhole>::for_points([&](PointSet points) {
+    // The motion takes the point from 1 / q to 1 / q + 0.9 metres: what the image shows there is as much smaller.
+    const float larger = 1 + 0.9f * points.q[0];
+    points.gu[0] = {1 / (1.2f * larger)};
+    points.gv[0] = {2 / (1.2f * larger)};
+    const auto by = [&](dot::GradientSource gradient) {
+      ResidualNoise noise = plain;
+      noise.gradient = gradient;
+      return SerialReduction::linearize(points, 0, pinhole, image, state, noise, {}, nullptr);
+    };
+    const NormalEquations forward = by(dot::GradientSource::Image), reference = by(dot::GradientSource::Reference);
+    if (!forward.seen) return;
+    ++checked;
+    EXPECT_TRUE(matrices_match(reference.H, forward.H, 1e-5));
+    EXPECT_TRUE(matrices_match(reference.g, forward.g, 1e-5));
+    points.gu[0][0] = points.gv[0][0] = 0;
+    const NormalEquations none = by(dot::GradientSource::Reference), half = by(dot::GradientSource::Mean);
+    EXPECT_EQ(none.g.head<6>().norm(), 0);
+    EXPECT_NEAR(half.H(0, 0) * forward.H(7, 7), 0.25 * forward.H(0, 0) * half.H(7, 7), 1e-5 * forward.H(0, 0));
+  });
+  EXPECT_GT(checked, 30);
+}
+
 TEST(Reduction, HuberBoundsTheGradient) {
   const Image<std::uint8_t> image = ramp();
   PointResiduals out;

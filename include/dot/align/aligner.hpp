@@ -178,7 +178,7 @@ struct DirectAligner {
 
   ResidualNoise residual_noise(double sigma_intensity) const {
     return {static_cast<float>(sigma_intensity), static_cast<float>(settings.gradient_noise),
-            static_cast<float>(settings.huber)};
+            static_cast<float>(settings.huber), settings.gradient};
   }
 
   template <typename Camera>

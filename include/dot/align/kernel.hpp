@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "dot/align/settings.hpp"
+
 /// @file
 /// The one signature of the compiled kernels: the photometric factor of align/reduction.hpp for a pinhole camera, over
 /// raw pointers. Plain structs alone, so that a unit built for another instruction set shares no code with its host.
@@ -18,6 +20,8 @@ struct Points {
   const float* q = nullptr;                 ///< inverse depth, 1/m
   const float* sigma_q = nullptr;           ///< its standard deviation, 1/m
   const float* intensity = nullptr;         ///< grey values at this level
+  const float* gu = nullptr;                ///< gradient, grey values per pixel of this level; not read for
+  const float* gv = nullptr;                ///< GradientSource::Image
   const float* u = nullptr;                 ///< pixels of level 0; read with a depth term only
   const float* v = nullptr;                 ///< see u
   const unsigned char* excluded = nullptr;  ///< non-zero: left out; may be null
@@ -66,6 +70,7 @@ struct Input {
   View view;
   Noise noise;
   const Depth* depth = nullptr;  ///< null: no depth term
+  GradientSource gradient = GradientSource::Image;
 };
 
 /// One value a point, arrays of the caller of length n; zero where the point is not seen.

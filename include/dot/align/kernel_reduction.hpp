@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <stdexcept>
 #include <type_traits>
 
 #include "dot/align/portable_kernels.hpp"
@@ -63,9 +64,16 @@ struct KernelReduction {
                              const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
                              const std::uint8_t* excluded, kernel::Depth& measured) {
     kernel::Input in;
-    in.points = {points.size(),   points.x.data(),       points.y.data(),
-                 points.q.data(), points.sigma_q.data(), points.intensity[static_cast<std::size_t>(level)].data(),
-                 points.u.data(), points.v.data(),       excluded};
+    const auto l = static_cast<std::size_t>(level);
+    kernel::Points& p = in.points;
+    p.n = points.size();
+    p.x = points.x.data(), p.y = points.y.data(), p.q = points.q.data(), p.sigma_q = points.sigma_q.data();
+    p.intensity = points.intensity[l].data(), p.gu = points.gu[l].data(), p.gv = points.gv[l].data();
+    p.u = points.u.data(), p.v = points.v.data();
+    p.excluded = excluded;
+    if (noise.gradient != GradientSource::Image && points.gu[l].size() != points.u.size())
+      throw std::invalid_argument("points.gu must have a value for each point where its gradients are to be taken");
+    in.gradient = noise.gradient;
     in.level = {image.row(0), image.width(), image.height(), image.width()};
     const Intrinsics& k = camera.intrinsics();
     in.view.fx = static_cast<float>(k.fx), in.view.fy = static_cast<float>(k.fy);

@@ -45,11 +45,13 @@ struct AlignState {
   double offset = 0;  ///< b, grey values
 };
 
-/// Noise model of a reduction: s^2 = sigma_I^2 + (dr/dq sigma_q)^2 + (gradient_noise |grad I|)^2.
+/// Noise model of a reduction, and whose gradients it takes: s^2 = sigma_I^2 + (dr/dq sigma_q)^2 + (gradient_noise
+/// |grad I|)^2.
 struct ResidualNoise {
   float sigma_intensity = 5;  ///< grey values
   float gradient_noise = 0.06f;
   float huber = 1.345f;
+  GradientSource gradient = GradientSource::Image;
 };
 
 /// Residuals at a pose, structure of arrays of one value a point; zero where the point is not seen.

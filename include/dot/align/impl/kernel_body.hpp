@@ -50,29 +50,31 @@ struct Tally {
   int seen = 0, occluded = 0;
 };
 
-/// Bilinear value and central differences of the 4x4 pixels about (u, v), differences times two.
+/// Bilinear value and, where wanted, central differences (times two) of the 4x4 pixels about (u, v).
 template <typename V>
 struct Patch {
   using F = typename V::F;
-  F value, gx, gy;
+  F value, gx = V::set(0), gy = V::set(0);
 
   static F between(F a, F b, F t) { return V::fma(t, V::sub(b, a), a); }
 
   /// @pre 1 <= u <= width - 3, 1 <= v <= height - 3.
-  Patch(const Level& level, F u, F v) {
+  Patch(const Level& level, F u, F v, bool gradient) {
     using I = typename V::I;
     const I column = V::to_int(u), row = V::to_int(v);
     const F a = V::sub(u, V::to_float(column)), b = V::sub(v, V::to_float(row));
     const I at = V::addi(V::muli(row, V::seti(static_cast<int>(level.stride))), column);
     // The four neighbours of a row come with one load.
     const unsigned char* corner = level.data - level.stride - 1;
-    const I p0 = V::gather4(corner, at), p1 = V::gather4(corner + level.stride, at);
-    const I p2 = V::gather4(corner + 2 * level.stride, at), p3 = V::gather4(corner + 3 * level.stride, at);
+    const I p1 = V::gather4(corner + level.stride, at), p2 = V::gather4(corner + 2 * level.stride, at);
     const F a1 = V::template byte<1>(p1), b1 = V::template byte<2>(p1);
     const F a2 = V::template byte<1>(p2), b2 = V::template byte<2>(p2);
-    const F v0 = between(V::template byte<1>(p0), V::template byte<2>(p0), a), v1 = between(a1, b1, a);
-    const F v2 = between(a2, b2, a), v3 = between(V::template byte<1>(p3), V::template byte<2>(p3), a);
+    const F v1 = between(a1, b1, a), v2 = between(a2, b2, a);
     value = between(v1, v2, b);
+    if (!gradient) return;
+    const I p0 = V::gather4(corner, at), p3 = V::gather4(corner + 3 * level.stride, at);
+    const F v0 = between(V::template byte<1>(p0), V::template byte<2>(p0), a);
+    const F v3 = between(V::template byte<1>(p3), V::template byte<2>(p3), a);
     gy = between(V::sub(v2, v0), V::sub(v3, v1), b);
     gx = between(between(V::sub(b1, V::template byte<0>(p1)), V::sub(V::template byte<3>(p1), a1), a),
                  between(V::sub(b2, V::template byte<0>(p2)), V::sub(V::template byte<3>(p2), a2), a), b);
@@ -81,7 +83,7 @@ struct Patch {
 
 /// Residuals of the first `n` points of `p`, a multiple of the lanes: into `out`, or as columns of `block` from `at`
 /// on.
-template <typename V, bool kColumnsWanted, bool kDepth>
+template <typename V, GradientSource kGradient, bool kColumnsWanted, bool kDepth>
 void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Block* block, int at, Tally<V>& tally) {
   using F = typename V::F;
   using M = typename V::M;
@@ -146,7 +148,17 @@ void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Blo
     }
     tally.seen += V::count(seen);
 
-    const Patch<V> patch(in.level, u, v);
+    Patch<V> patch(in.level, u, v, kGradient != GradientSource::Reference);
+    if constexpr (kGradient != GradientSource::Image) {
+      // A small piece of surface appears 1 / Z~ times as large as in the reference, so its gradient is Z~ times that
+      // one; its turn about the optical axis and its shear are left out.
+      const F scale = V::mul(V::keep(seen, Z), V::set(kGradient == GradientSource::Mean ? view.gain : 2 * view.gain));
+      const F gx = V::mul(scale, V::load(p.gu + i)), gy = V::mul(scale, V::load(p.gv + i));
+      if constexpr (kGradient == GradientSource::Mean)
+        patch.gx = V::fma(half, patch.gx, gx), patch.gy = V::fma(half, patch.gy, gy);
+      else
+        patch.gx = gx, patch.gy = gy;
+    }
     const F intensity = V::load(p.intensity + i);
     const F r = V::sub(V::fma(minus_gain, intensity, patch.value), offset);
     const F gu = V::mul(patch.gx, fx_half), gv = V::mul(patch.gy, fy_half);
@@ -208,47 +220,43 @@ void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Blo
 /// The last points of a set, fewer than the lanes, filled up with copies of the last one that are excluded.
 template <typename V>
 struct Tail {
-  float f[7][V::W];
+  float f[9][V::W];
   unsigned char excluded[V::W];
 
   /// Points from..from + count of `p`; the result borrows this.
-  Points fill(const Points& p, int from, int count, bool with_pixels) {
-    const float* const arrays[7] = {p.x, p.y, p.q, p.sigma_q, p.intensity, p.u, p.v};
-    const int n = with_pixels ? 7 : 5;
+  Points fill(const Points& p, int from, int count) {
+    const float* const arrays[9] = {p.x, p.y, p.q, p.sigma_q, p.intensity, p.gu, p.gv, p.u, p.v};
     for (int lane = 0; lane < V::W; ++lane) {
       const int i = from + (lane < count ? lane : count - 1);
-      for (int k = 0; k < n; ++k) f[k][lane] = arrays[k][i];
+      for (int k = 0; k < 9; ++k) f[k][lane] = arrays[k] ? arrays[k][i] : 0;
       excluded[lane] = lane >= count || (p.excluded && p.excluded[i]);
     }
-    return {V::W, f[0], f[1], f[2], f[3], f[4], f[5], f[6], excluded};
+    return {V::W, f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], excluded};
   }
 };
 
 /// `p` from point `i` on.
 template <typename V>
-Points advanced(const Points& p, int i, bool with_pixels) {
-  return {p.n - i,
-          p.x + i,
-          p.y + i,
-          p.q + i,
-          p.sigma_q + i,
-          p.intensity + i,
-          with_pixels ? p.u + i : nullptr,
-          with_pixels ? p.v + i : nullptr,
-          p.excluded ? p.excluded + i : nullptr};
+Points advanced(Points p, int i) {
+  p.n -= i;
+  const float** const arrays[9] = {&p.x, &p.y, &p.q, &p.sigma_q, &p.intensity, &p.gu, &p.gv, &p.u, &p.v};
+  for (const float** a : arrays)
+    if (*a) *a += i;
+  if (p.excluded) p.excluded += i;
+  return p;
 }
 
-template <typename V, bool kDepth>
+template <typename V, GradientSource kGradient, bool kDepth>
 void all_residuals(const Input& in, const Residuals& out) {
   Tally<V> tally;
   const int n = in.points.n, whole = n / V::W * V::W;
-  evaluate<V, false, kDepth>(in, in.points, whole, &out, nullptr, 0, tally);
+  evaluate<V, kGradient, false, kDepth>(in, in.points, whole, &out, nullptr, 0, tally);
   if (whole == n) return;
   Tail<V> tail;
   float f[4][V::W];
   unsigned char bits[V::W];
   const Residuals staged{f[0], f[1], f[2], f[3], bits};
-  evaluate<V, false, kDepth>(in, tail.fill(in.points, whole, n - whole, false), V::W, &staged, nullptr, 0, tally);
+  evaluate<V, kGradient, false, kDepth>(in, tail.fill(in.points, whole, n - whole), V::W, &staged, nullptr, 0, tally);
   for (int i = whole; i < n; ++i) {
     const int lane = i - whole;
     out.r[i] = f[0][lane], out.extra[i] = f[1][lane], out.value[i] = f[2][lane], out.r_depth[i] = f[3][lane];
@@ -256,11 +264,19 @@ void all_residuals(const Input& in, const Residuals& out) {
   }
 }
 
+template <typename V, GradientSource kGradient>
+void residuals_by(const Input& in, const Residuals& out) {
+  in.depth ? all_residuals<V, kGradient, true>(in, out) : all_residuals<V, kGradient, false>(in, out);
+}
+
 template <typename V>
 void residuals(const Input& in, const Residuals& out) {
   if (in.level.width >= 5 && in.level.height >= 5) {
-    in.depth ? all_residuals<V, true>(in, out) : all_residuals<V, false>(in, out);
-    return;
+    switch (in.gradient) {
+      case GradientSource::Image: return residuals_by<V, GradientSource::Image>(in, out);
+      case GradientSource::Reference: return residuals_by<V, GradientSource::Reference>(in, out);
+      case GradientSource::Mean: return residuals_by<V, GradientSource::Mean>(in, out);
+    }
   }
   for (int i = 0; i < in.points.n; ++i) {  // sampling needs a border
     out.r[i] = out.extra[i] = out.value[i] = out.r_depth[i] = 0;
@@ -362,7 +378,7 @@ void centre_modes(const Points& p, const Tally<V>& tally, Sums& out) {
   }
 }
 
-template <typename V, int kParameters, bool kDepth>
+template <typename V, GradientSource kGradient, int kParameters, bool kDepth>
 void all_products(const Input& in, Sums& out) {
   Block block;
   for (float& f : block.photo[kMinusOne]) f = -1;
@@ -372,11 +388,11 @@ void all_products(const Input& in, Sums& out) {
   const int n = in.points.n;
   for (int start = 0, blocks = 0; start < n; start += kBlock) {
     const int count = n - start < kBlock ? n - start : kBlock, whole = count / V::W * V::W;
-    evaluate<V, true, kDepth>(in, advanced<V>(in.points, start, kDepth), whole, nullptr, &block, 0, tally);
+    evaluate<V, kGradient, true, kDepth>(in, advanced<V>(in.points, start), whole, nullptr, &block, 0, tally);
     if (whole < count) {
       Tail<V> tail;
-      const Points last = tail.fill(in.points, start + whole, count - whole, kDepth);
-      evaluate<V, true, kDepth>(in, last, V::W, nullptr, &block, whole, tally);
+      const Points last = tail.fill(in.points, start + whole, count - whole);
+      evaluate<V, kGradient, true, kDepth>(in, last, V::W, nullptr, &block, whole, tally);
     }
     partial.template add<kParameters, kDepth>(block, (count + V::W - 1) / V::W * V::W);
     if (++blocks == kBlocksInAChunk || start + kBlock >= n) {
@@ -392,11 +408,21 @@ void all_products(const Input& in, Sums& out) {
   if constexpr (kDepth) centre_modes<V>(in.points, tally, out);
 }
 
+template <typename V, GradientSource kGradient, int kParameters>
+void linearize_by(const Input& in, Sums& out) {
+  in.depth ? all_products<V, kGradient, kParameters, true>(in, out)
+           : all_products<V, kGradient, kParameters, false>(in, out);
+}
+
 template <typename V, int kParameters>
 void linearize(const Input& in, Sums& out) {
   out = Sums{};
   if (in.points.n <= 0 || in.level.width < 5 || in.level.height < 5) return;  // sampling needs a border
-  in.depth ? all_products<V, kParameters, true>(in, out) : all_products<V, kParameters, false>(in, out);
+  switch (in.gradient) {
+    case GradientSource::Image: return linearize_by<V, GradientSource::Image, kParameters>(in, out);
+    case GradientSource::Reference: return linearize_by<V, GradientSource::Reference, kParameters>(in, out);
+    case GradientSource::Mean: return linearize_by<V, GradientSource::Mean, kParameters>(in, out);
+  }
 }
 
 /// The three functions over V.

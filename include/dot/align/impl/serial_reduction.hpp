@@ -83,7 +83,15 @@ void SerialReduction::run(const PointSet& points, int level, const Camera& camer
       }
     }
 
-    const Sample s = sample(image, pixel.x(), pixel.y());
+    Sample s = sample(image, pixel.x(), pixel.y());
+    if (noise.gradient != GradientSource::Image) {
+      // A small piece of surface appears 1 / Z~ times as large as in the reference, so its gradient is Z~ times that
+      // one; its turn about the optical axis and its shear are left out.
+      const auto l = static_cast<std::size_t>(level);
+      const float scale = gain * X.z(), own = noise.gradient == GradientSource::Mean ? 0.5f : 0;
+      s.gx = own * s.gx + (1 - own) * scale * points.gu[l][k];
+      s.gy = own * s.gy + (1 - own) * scale * points.gv[l][k];
+    }
     const float r = s.value - gain * reference[k] - offset;
     // The residual's derivative by the moved point X~, and by its inverse depth (dX~/dq = t).
     const Vector3f dr_dX(s.gx * J_pi(0, 0) + s.gy * J_pi(1, 0), s.gx * J_pi(0, 1) + s.gy * J_pi(1, 1),

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "dot/tracker.hpp"
 
+#include <stdexcept>
 #include <variant>
 
+#include "dot/align/dispatch.hpp"
 #include "dot/dot.hpp"
 
 namespace dot {
@@ -32,6 +34,9 @@ struct Tracker::Impl {
   Dot<Pinhole, ChosenClassifier> pipeline;
 
   Impl(const Intrinsics& camera, const Options& options) : pipeline(Pinhole(camera), options) {
+    pipeline.aligner.reduction.kernels = find_kernels(options.align.kernel);
+    if (!pipeline.aligner.reduction.kernels)
+      throw std::invalid_argument("align.kernel must be one that this machine and this build have");
     if (options.classifier == ClassifierKind::Velocity)
       pipeline.classifier.policy = VelocityClassifier{options.velocity};
     else

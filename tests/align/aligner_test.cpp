@@ -103,6 +103,17 @@ TEST(AlignCamera, FindsBoth) {
   expect_exact(pair, pair.align(SE3d{}));
 }
 
+TEST(AlignCamera, FindsItByTheGradientsOfEitherImage) {
+  const Pair pair(motion(0.05, -0.03, -0.1, 0.01, -0.02, 0.03));
+  for (const dot::GradientSource gradient : {dot::GradientSource::Reference, dot::GradientSource::Mean}) {
+    DirectAligner<> aligner;
+    aligner.settings.gradient = gradient;
+    Alignment a = aligner.align(pair.problem(), {SE3d{}}, kLevels - 1);
+    aligner.finish(pair.problem(), a);
+    expect_exact(pair, a);
+  }
+}
+
 TEST(AlignCamera, RefinesAPrediction) {
   const SE3d T = motion(0.6, 0.1, -0.5, 0.05, -0.12, 0.1);
   const Pair pair(T);
@@ -211,10 +222,8 @@ TEST(AlignCamera, TukeyRanksTheMajorityFirstWhereHuberIsCaptured) {
   const AlignProblem<Pinhole> problem{points, after, camera};
   const double sigma = aligner.intensity_sigma(problem, {SE3d{}}, 0);
   const auto huber = [&](const SE3d& T) {
-    std::vector<dot::PointResidual> residuals;
     const dot::ResidualNoise noise{static_cast<float>(sigma), 0.06f, 1.345f};
-    return aligner.reduction.linearize(points, 0, camera, after.levels[0], {T, 1, 0}, noise, {}, nullptr, residuals)
-        .cost;
+    return aligner.reduction.linearize(points, 0, camera, after.levels[0], {T, 1, 0}, noise, {}, nullptr).cost;
   };
   const auto tukey = [&](const SE3d& T) { return aligner.rank(problem, {T, 1, 0}, 0, sigma); };
   EXPECT_GT(huber(SE3d{}), huber(turn));

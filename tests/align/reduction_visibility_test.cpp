@@ -13,7 +13,6 @@ namespace {
 using dot::AlignState;
 using dot::DepthTerm;
 using dot::Image;
-using dot::PointResidual;
 using dot::PointSet;
 using dot::SE3d;
 using dot::SerialReduction;
@@ -30,14 +29,17 @@ PointSet point(float u, float v, float q) {
   return points;
 }
 
+struct PointResidual {
+  bool seen, has_depth, occluded;
+  float r_depth;
+};
+
 PointResidual residual(const PointSet& points, const SE3d& T, const DepthTerm& depth, int level = 0) {
   Image<std::uint8_t> grey(128 >> level, 96 >> level);
   grey.fill(100);
-  std::vector<PointResidual> out;
-  const int seen =
-      SerialReduction::residuals(points, level, camera.at_level(level), grey, AlignState{T, 1, 0}, {}, depth, out);
-  EXPECT_EQ(seen, out[0].seen);
-  return out[0];
+  dot::PointResiduals out;
+  SerialReduction::residuals(points, level, camera.at_level(level), grey, AlignState{T, 1, 0}, {}, depth, out);
+  return {out.seen(0), out.has_depth(0), out.occluded(0), out.r_depth[0]};
 }
 
 TEST(ReductionVisibility, EndsBeforeTheImageDoes) {

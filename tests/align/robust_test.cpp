@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "support/random.hpp"
@@ -70,6 +72,19 @@ TEST(Tukey, PrefersTheMajorityWhereHuberIsCapturedByAMinority) {
   add(1, 100, 5), add(1, 30, 0.7f);
   EXPECT_GT(huber[0], huber[1]);
   EXPECT_LT(tukey[0], tukey[1]);
+}
+
+TEST(Median, IsTheMiddleOfTheSorted) {
+  Random random(8);
+  for (int n = 1; n < 400; n += n < 110 ? 1 : 37)
+    for (const double spread : {0.0, 1e-3, 2.0, 30.0}) {
+      std::vector<float> values;
+      for (int i = 0; i < n; ++i) values.push_back(static_cast<float>(std::exp(spread * random.normal(1))));
+      for (int i = 0; i < n / 7; ++i) values[static_cast<std::size_t>(i)] = i % 2 ? 0.f : values.back();
+      std::vector<float> sorted = values;
+      std::sort(sorted.begin(), sorted.end());
+      EXPECT_EQ(dot::median_of_magnitudes(values), sorted[static_cast<std::size_t>(n / 2)]) << n << " " << spread;
+    }
 }
 
 TEST(MadSigma, IsTheStandardDeviationOfANormal) {

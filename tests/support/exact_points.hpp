@@ -28,7 +28,8 @@ PointSet exact_points(const Rendering& view, const Camera& camera, const Pyramid
         const float scale = 1.f / static_cast<float>(1 << l);
         const auto at = [&](int p) { return (static_cast<float>(p) + 0.5f) * scale - 0.5f; };
         const auto k = static_cast<std::size_t>(l);
-        points.intensity[k].push_back(sample(pyramid.levels[k], at(x), at(y)).value);
+        const Sample s = sample(pyramid.levels[k], at(x), at(y));
+        points.intensity[k].push_back(s.value), points.gu[k].push_back(s.gx), points.gv[k].push_back(s.gy);
       }
     }
   return points;

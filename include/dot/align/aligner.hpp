@@ -8,8 +8,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "dot/align/kernel_reduction.hpp"
 #include "dot/align/pearson.hpp"
-#include "dot/align/reduction.hpp"
 #include "dot/align/robust.hpp"
 #include "dot/align/settings.hpp"
 #include "dot/image/depth_pyramid.hpp"
@@ -71,7 +71,7 @@ struct Alignment {
 
 /// Direct aligner: Gauss-Newton on the Huber cost, coarse to fine, with jointly estimated gain and offset
 /// (paper eq. 1-5). Buffers are kept from call to call.
-template <typename Reduction = SerialReduction>
+template <typename Reduction = DefaultReduction>
 struct DirectAligner {
   AlignSettings settings;
   Reduction reduction;
@@ -93,9 +93,10 @@ struct DirectAligner {
     residuals(problem, 0, a.state, a.sigma_intensity);
     a.sigma_intensity = scale_of_residuals();
     excluded_.assign(static_cast<std::size_t>(problem.points.size()), 0);
-    const auto s2 = [&](const PointResidual& p) { return sq(a.sigma_intensity) + static_cast<double>(p.extra); };
-    for (std::size_t i = 0; i < residuals_.size(); ++i)
-      excluded_[i] = residuals_[i].seen && sq(residuals_[i].r) > sq(settings.outlier) * s2(residuals_[i]);
+    const PointResiduals& p = residuals_;
+    const auto r2 = [&](std::size_t i) { return sq(static_cast<double>(p.r[i])); };
+    const auto s2 = [&](std::size_t i) { return sq(a.sigma_intensity) + static_cast<double>(p.extra[i]); };
+    for (std::size_t i = 0; i < p.size(); ++i) excluded_[i] = p.seen(i) && r2(i) > sq(settings.outlier) * s2(i);
     refine(problem, 0, a);
     // Statistics over all points, the excluded too.
     residuals(problem, 0, a.state, a.sigma_intensity);
@@ -103,20 +104,19 @@ struct DirectAligner {
     double sum = 0;
     scratch_.clear();
     a.inside = a.seen = a.occluded = a.inliers = a.with_depth = a.depth_agrees = 0;
-    for (std::size_t i = 0; i < residuals_.size(); ++i) {
-      const PointResidual& p = residuals_[i];
-      a.occluded += p.occluded;
-      if (!p.seen) continue;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      a.occluded += p.occluded(i);
+      if (!p.seen(i)) continue;
       ++a.seen;
-      if (p.has_depth) {
+      if (p.has_depth(i)) {
         ++a.with_depth;
-        scratch_.push_back(std::abs(p.r_depth));
-        a.depth_agrees += std::abs(p.r_depth) < problem.depth.agreement;
+        scratch_.push_back(std::abs(p.r_depth[i]));
+        a.depth_agrees += std::abs(p.r_depth[i]) < problem.depth.agreement;
       }
-      if (sq(p.r) > sq(settings.outlier) * s2(p)) continue;
+      if (r2(i) > sq(settings.outlier) * s2(i)) continue;
       ++a.inliers;
-      sum += sq(p.r) / s2(p);
-      pearson.add(static_cast<double>(problem.points.intensity[0][i]), static_cast<double>(p.value));
+      sum += r2(i) / s2(i);
+      pearson.add(static_cast<double>(problem.points.intensity[0][i]), static_cast<double>(p.value[i]));
     }
     a.inside = a.seen + a.occluded;
     a.phi = pearson.correlation();
@@ -132,12 +132,13 @@ struct DirectAligner {
     double sum = 0;
     int seen = 0;
     const float s2 = static_cast<float>(sq(sigma_intensity)), c = static_cast<float>(settings.tukey);
-    for (const PointResidual& p : residuals_) {
-      if (!p.seen) continue;
+    const PointResiduals& p = residuals_;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (!p.seen(i)) continue;
       ++seen;
-      sum += static_cast<double>(tukey_cost(p.r / std::sqrt(s2 + p.extra), c));
-      if (p.has_depth && problem.depth.weight > 0)
-        sum += static_cast<double>(problem.depth.weight * tukey_cost(p.r_depth / problem.depth.sigma, c));
+      sum += static_cast<double>(tukey_cost(p.r[i] / std::sqrt(s2 + p.extra[i]), c));
+      if (p.has_depth(i) && problem.depth.weight > 0)
+        sum += static_cast<double>(problem.depth.weight * tukey_cost(p.r_depth[i] / problem.depth.sigma, c));
     }
     if (seen < 10) return std::numeric_limits<double>::infinity();
     sum += problem.photometric_cost(state);
@@ -163,8 +164,8 @@ struct DirectAligner {
       residuals(problem, 0, state, 1);
       Pearson line;
       for (std::size_t i = 0; i < residuals_.size(); ++i)
-        if (residuals_[i].seen && std::abs(residuals_[i].r) < limit)
-          line.add(static_cast<double>(problem.points.intensity[0][i]), static_cast<double>(residuals_[i].value));
+        if (residuals_.seen(i) && std::abs(residuals_.r[i]) < limit)
+          line.add(static_cast<double>(problem.points.intensity[0][i]), static_cast<double>(residuals_.value[i]));
       if (line.n < 10 || line.slope() <= 0) return AlignState{T};
       state.gain = line.slope();
       state.offset = line.intercept();
@@ -177,7 +178,7 @@ struct DirectAligner {
 
   ResidualNoise residual_noise(double sigma_intensity) const {
     return {static_cast<float>(sigma_intensity), static_cast<float>(settings.gradient_noise),
-            static_cast<float>(settings.huber)};
+            static_cast<float>(settings.huber), settings.gradient};
   }
 
   template <typename Camera>
@@ -187,22 +188,29 @@ struct DirectAligner {
                         problem.depth_at(level), residuals_);
   }
 
+  /// Robust sigma_I of the residuals that count, by fixed point: the median of squares is the square of the median.
   double scale_of_residuals() {
-    scratch_.clear();
-    for (std::size_t i = 0; i < residuals_.size(); ++i)
-      if (residuals_[i].seen && !(i < excluded_.size() && excluded_[i])) scratch_.push_back(std::abs(residuals_[i].r));
-    double sigma = std::max(settings.min_intensity_sigma, static_cast<double>(mad_sigma(scratch_)));
+    const PointResiduals& p = residuals_;
+    squares_.resize(p.size());
+    extra_.resize(p.size());
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      squares_[n] = p.r[i] * p.r[i];
+      extra_[n] = p.extra[i];
+      n += p.seen(i) && !(i < excluded_.size() && excluded_[i]);
+    }
+    scratch_.assign(squares_.begin(), squares_.begin() + static_cast<std::ptrdiff_t>(n));
+    double sigma = std::max(settings.min_intensity_sigma, sigma_of_median_square());
     for (int pass = 0; pass < 3; ++pass) {
-      scratch_.clear();
       const float s2 = static_cast<float>(sigma * sigma);
-      for (std::size_t i = 0; i < residuals_.size(); ++i) {
-        const PointResidual& p = residuals_[i];
-        if (p.seen && !(i < excluded_.size() && excluded_[i]))
-          scratch_.push_back(std::abs(p.r) / std::sqrt(s2 + p.extra));
-      }
-      sigma = std::max(settings.min_intensity_sigma, sigma * static_cast<double>(mad_sigma(scratch_)));
+      scratch_.resize(n);
+      for (std::size_t i = 0; i < n; ++i) scratch_[i] = squares_[i] / (s2 + extra_[i]);
+      sigma = std::max(settings.min_intensity_sigma, sigma * sigma_of_median_square());
     }
     return sigma;
+  }
+  double sigma_of_median_square() {
+    return static_cast<double>(kSigmaOfMedian * std::sqrt(median_of_magnitudes(scratch_)));
   }
 
   /// Gauss-Newton on one level, twice: the residual scale follows the first convergence.
@@ -219,20 +227,20 @@ struct DirectAligner {
       double accepted_cost = std::numeric_limits<double>::infinity();
       a.converged = false;
       for (int iteration = 0; iteration < settings.max_iterations; ++iteration) {
-        NormalEquations sums = reduction.linearize(problem.points, level, camera, image, a.state, noise, depth,
-                                                   excluded_.data(), residuals_);
-        if (sums.seen < 10) {
-          a.state = accepted;
-          break;
-        }
-        ++a.iterations;
-        // From the camera's left twist to x: T <- exp(Ad(A) x) T with A = T_outer Tr(c').
+        // From x to the twist about the centroid in the camera's axes, A = T_outer Tr(c'): T <- A exp(x) A^-1 T.
         const SE3d T_o = problem.T_outer.inverse() * a.state.T;
         const Vector3<double> moved =
             problem.centred ? Vector3<double>(T_o * problem.centroid) : Vector3<double>::Zero();
         const SE3d A = problem.T_outer * SE3d::translation(moved);
         Matrix8 Ad = Matrix8::Identity();
-        Ad.topLeftCorner<6, 6>() = A.adjoint();
+        Ad.block<3, 3>(0, 0) = Ad.block<3, 3>(3, 3) = A.R;
+        const NormalEquations sums =
+            reduction.linearize(problem.points, level, camera, image, a.state, noise, depth, excluded_.data(), A.t);
+        if (sums.seen < 10) {
+          a.state = accepted;
+          break;
+        }
+        ++a.iterations;
         Matrix8 H = Ad.transpose() * sums.H * Ad;
         Vector8 g = Ad.transpose() * sums.g;
         double cost = sums.cost;
@@ -277,9 +285,9 @@ struct DirectAligner {
     }
   }
 
-  std::vector<PointResidual> residuals_;
+  PointResiduals residuals_;
   std::vector<std::uint8_t> excluded_;
-  std::vector<float> scratch_;
+  std::vector<float> scratch_, squares_, extra_;
 };
 
 DOT_END_NAMESPACE

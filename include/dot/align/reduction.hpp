@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dot/abi.hpp"
+#include "dot/align/kernel.hpp"
 #include "dot/image/pyramid.hpp"
 #include "dot/lie/se3.hpp"
 #include "dot/points/point_set.hpp"
@@ -16,7 +17,9 @@
 ///
 /// Residual (paper eq. 3 and 5, made invariant to exposure): r = I_i(p') - a I_j(p) - b, with p' = Pi(T X), X the point
 /// of reference j in camera axes and T = T_i_j. In inverse depth, X~ = q T X = R (x, y, 1) + q t.
-/// Derivatives are taken for a left twist of T: T <- exp(xi) T, xi = [translation; rotation] in the axes of camera i.
+/// Derivatives are taken for a left twist of T about a point c, T <- Tr(c) exp(xi) Tr(-c) T, with c and
+/// xi = [translation; rotation] in the axes of camera i: dX~/dxi = [q I, -[X~ - q c]x]. About the middle of a far
+/// object the sums are well conditioned; about the camera its translation and rotation are nearly the same.
 
 DOT_BEGIN_NAMESPACE
 
@@ -42,22 +45,31 @@ struct AlignState {
   double offset = 0;  ///< b, grey values
 };
 
-/// Noise model of a reduction: s^2 = sigma_I^2 + (dr/dq sigma_q)^2 + (gradient_noise |grad I|)^2.
+/// Noise model of a reduction, and whose gradients it takes: s^2 = sigma_I^2 + (dr/dq sigma_q)^2 + (gradient_noise
+/// |grad I|)^2.
 struct ResidualNoise {
   float sigma_intensity = 5;  ///< grey values
   float gradient_noise = 0.06f;
   float huber = 1.345f;
+  GradientSource gradient = GradientSource::Image;
 };
 
-/// One point's residual at a pose.
-struct PointResidual {
-  float r = 0;                 ///< grey values
-  float extra = 0;             ///< variance besides sigma_I^2
-  float value = 0;             ///< I_i(p')
-  float r_depth = 0;           ///< measured minus predicted inverse depth, 1/m
-  std::uint8_t seen = 0;       ///< 1: inside the image, in front, not hidden
-  std::uint8_t has_depth = 0;  ///< r_depth holds
-  std::uint8_t occluded = 0;   ///< inside the image, but hidden
+/// Residuals at a pose, structure of arrays of one value a point; zero where the point is not seen.
+struct PointResiduals {
+  std::vector<float> r;                  ///< grey values
+  std::vector<float> extra;              ///< variance besides sigma_I^2
+  std::vector<float> value;              ///< I_i(p')
+  std::vector<float> r_depth;            ///< measured minus predicted inverse depth, 1/m
+  std::vector<std::uint8_t> visibility;  ///< a sum of kernel::kSeen, kHasDepth, kOccluded
+
+  std::size_t size() const { return r.size(); }
+  void resize(std::size_t n) {
+    for (std::vector<float>* a : {&r, &extra, &value, &r_depth}) a->resize(n);
+    visibility.resize(n);
+  }
+  bool seen(std::size_t i) const { return visibility[i] & kernel::kSeen; }
+  bool has_depth(std::size_t i) const { return visibility[i] & kernel::kHasDepth; }
+  bool occluded(std::size_t i) const { return visibility[i] & kernel::kOccluded; }
 };
 
 /// Sums over the points. `depth_*` is kept apart: it serves objects only.
@@ -74,32 +86,35 @@ struct NormalEquations {
   std::array<Vector8, 4> modes{Vector8::Zero(), Vector8::Zero(), Vector8::Zero(), Vector8::Zero()};
 };
 
-/// The readable reference: one point after the other, any camera. A faster one has the same two functions.
+/// The readable reference: one point after the other, any camera. A faster one (align/kernel_reduction.hpp) has the
+/// same two functions.
 struct SerialReduction {
-  /// Residuals at `state`, without derivatives. `excluded[i]` non-zero leaves a point out; may be null.
+  /// Residuals at `state`, without derivatives.
   template <typename Camera>
-  static int residuals(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
-                       const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
-                       std::vector<PointResidual>& out) {
-    return run<false>(points, level, camera, image, state, noise, depth, nullptr, out, nullptr);
+  static void residuals(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
+                        const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
+                        PointResiduals& out) {
+    out.resize(static_cast<std::size_t>(points.size()));
+    run(points, level, camera, image, state, noise, depth, nullptr, Vector3<double>::Zero(), &out, nullptr);
   }
 
-  /// Normal equations at `state`; leaves the residuals in `out`.
+  /// Normal equations at `state`. `excluded[i]` non-zero leaves a point out; may be null. `centre` is c, metres.
   template <typename Camera>
   static NormalEquations linearize(const PointSet& points, int level, const Camera& camera,
                                    const Image<std::uint8_t>& image, const AlignState& state,
                                    const ResidualNoise& noise, const DepthTerm& depth, const std::uint8_t* excluded,
-                                   std::vector<PointResidual>& out) {
+                                   const Vector3<double>& centre = Vector3<double>::Zero()) {
     NormalEquations sums;
-    run<true>(points, level, camera, image, state, noise, depth, excluded, out, &sums);
+    run(points, level, camera, image, state, noise, depth, excluded, centre, nullptr, &sums);
     return sums;
   }
 
  private:
-  template <bool kDerivatives, typename Camera>
-  static int run(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
-                 const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
-                 const std::uint8_t* excluded, std::vector<PointResidual>& out, NormalEquations* sums);
+  template <typename Camera>
+  static void run(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
+                  const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
+                  const std::uint8_t* excluded, const Vector3<double>& centre, PointResiduals* out,
+                  NormalEquations* sums);
 };
 
 DOT_END_NAMESPACE

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "dot/abi.hpp"
@@ -31,12 +34,41 @@ inline float tukey_cost(float e, float c) {
   return c * c / 6 * (1 - k * k * k);
 }
 
-/// Standard deviation from the median absolute residual about zero. `scratch` is reordered.
-inline float mad_sigma(std::vector<float>& scratch) {
-  if (scratch.empty()) return 0;
-  const auto middle = scratch.begin() + static_cast<std::ptrdiff_t>(scratch.size() / 2);
-  std::nth_element(scratch.begin(), middle, scratch.end());
-  return 1.4826f * *middle;
+/// The middle one of values >= 0, the upper one of two; 0 of none. `values` is reordered or shortened.
+///
+/// The bits of such floats are in the order of their values. Counting the values by their leading bits (eight bins an
+/// octave) leaves the few of one bin to be ordered.
+inline float median_of_magnitudes(std::vector<float>& values) {
+  if (values.empty()) return 0;
+  std::size_t rank = values.size() / 2;
+  if (values.size() > 100) {
+    constexpr std::size_t kBins = 1 << 11;
+    const auto bin_of = [](float value) {
+      std::uint32_t bits;
+      std::memcpy(&bits, &value, sizeof bits);
+      return (bits >> 20) & (kBins - 1);
+    };
+    std::array<std::uint32_t, kBins> counts{};
+    for (const float value : values) ++counts[bin_of(value)];
+    std::uint32_t bin = 0;
+    while (rank >= counts[bin]) rank -= counts[bin++];
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const float value = values[i];
+      values[kept] = value;
+      kept += bin_of(value) == bin;
+    }
+    values.resize(kept);
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
+
+/// Standard deviation of a normal over the median of its absolute value.
+constexpr float kSigmaOfMedian = 1.4826f;
+
+/// Standard deviation from the median absolute residual about zero. `scratch` is reordered or shortened.
+inline float mad_sigma(std::vector<float>& scratch) { return kSigmaOfMedian * median_of_magnitudes(scratch); }
 
 DOT_END_NAMESPACE

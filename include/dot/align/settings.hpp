@@ -4,6 +4,16 @@
 
 namespace dot {
 
+/// Which kernels do the photometric reduction, see align/dispatch.hpp.
+enum class KernelVariant { Auto, Portable, Avx2, Avx512 };
+
+/// Whose gradients the derivatives of the residual take.
+enum class GradientSource {
+  Image,      ///< the new image's at the moved point: forward, the paper's
+  Reference,  ///< the reference's, sampled once: the idea of inverse composition (Baker and Matthews 2004)
+  Mean        ///< of both: efficient second-order minimisation (Malis 2004)
+};
+
 /// The photometric Gauss-Newton aligner.
 struct AlignSettings {
   int max_levels = 5;                ///< of the image pyramid; fewer for small images
@@ -13,6 +23,8 @@ struct AlignSettings {
   double gradient_noise = 0.06;      ///< px: interpolation and model error, times the gradient
   double min_intensity_sigma = 0.8;  ///< grey values, floor of the residual scale
   double outlier = 3.5;              ///< in sigma, distance to the fitted line between intensities
+  GradientSource gradient = GradientSource::Image;
+  KernelVariant kernel = KernelVariant::Auto;  ///< of dot::Tracker; for tests and comparisons
 };
 
 /// When a camera motion is accepted.

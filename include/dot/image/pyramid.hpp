@@ -45,16 +45,6 @@ inline int pyramid_levels(int width, int height, int max_levels) {
   return levels;
 }
 
-/// Value of an 8-bit image at (u, v), bilinear.
-/// @pre 0 <= u < width - 1 and 0 <= v < height - 1.
-inline float sample_value(const Image<std::uint8_t>& image, float u, float v) {
-  const int x = static_cast<int>(u), y = static_cast<int>(v);
-  const float a = u - static_cast<float>(x), b = v - static_cast<float>(y);
-  const std::uint8_t *p = image.row(y) + x, *below = image.row(y + 1) + x;
-  const auto f = [](std::uint8_t value) { return static_cast<float>(value); };
-  return (1 - a) * (1 - b) * f(p[0]) + a * (1 - b) * f(p[1]) + (1 - a) * b * f(below[0]) + a * b * f(below[1]);
-}
-
 /// Value and gradient of an 8-bit image at (u, v), bilinear between the pixels' values and central differences.
 struct Sample {
   float value, gx, gy;  ///< grey values; grey values per pixel

@@ -19,13 +19,15 @@ struct PointSet {
   std::vector<float> q;                                  ///< inverse depth, 1/m
   std::vector<float> sigma_q;                            ///< 1/m
   std::array<std::vector<float>, kMaxLevels> intensity;  ///< grey value at each pyramid level
+  std::array<std::vector<float>, kMaxLevels> gu, gv;     ///< gradient there, grey values per pixel of the level
   int levels = 0;
 
   int size() const { return static_cast<int>(u.size()); }
 
   void clear() {
     for (std::vector<float>* a : {&u, &v, &x, &y, &q, &sigma_q}) a->clear();
-    for (auto& a : intensity) a.clear();
+    for (auto* levels_of : {&intensity, &gu, &gv})
+      for (auto& a : *levels_of) a.clear();
   }
   void push(float u_, float v_, float x_, float y_, float q_, float sigma_q_) {
     u.push_back(u_);

@@ -81,13 +81,14 @@ struct Selector {
     for (int l = 0; l < points.levels; ++l) {
       const Image<std::uint8_t>& image = pyramid.levels[static_cast<std::size_t>(l)];
       const float scale = 1.f / static_cast<float>(1 << l);
-      auto& out = points.intensity[static_cast<std::size_t>(l)];
-      out.resize(points.u.size());
-      for (std::size_t i = 0; i < out.size(); ++i) {
+      const auto k = static_cast<std::size_t>(l);
+      for (auto* a : {&points.intensity[k], &points.gu[k], &points.gv[k]}) a->resize(points.u.size());
+      for (std::size_t i = 0; i < points.u.size(); ++i) {
         const float u = std::clamp((points.u[i] + 0.5f) * scale - 0.5f, 1.f, static_cast<float>(image.width()) - 2.01f);
         const float v =
             std::clamp((points.v[i] + 0.5f) * scale - 0.5f, 1.f, static_cast<float>(image.height()) - 2.01f);
-        out[i] = sample_value(image, u, v);
+        const Sample s = sample(image, u, v);
+        points.intensity[k][i] = s.value, points.gu[k][i] = s.gx, points.gv[k][i] = s.gy;
       }
     }
   }

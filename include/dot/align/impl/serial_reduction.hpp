@@ -18,15 +18,15 @@ inline void add(const float (&J)[8], float w, float r, NormalEquations& sums) {
   }
 }
 
-template <bool kDerivatives, typename Camera>
-int SerialReduction::run(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
-                         const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
-                         const std::uint8_t* excluded, std::vector<PointResidual>& out, NormalEquations* sums) {
+template <typename Camera>
+void SerialReduction::run(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
+                          const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
+                          const std::uint8_t* excluded, const Vector3<double>& centre, PointResiduals* out,
+                          NormalEquations* sums) {
   using Vector3f = Eigen::Matrix<float, 3, 1>;
   const int n = points.size();
-  out.resize(static_cast<std::size_t>(n));
   const Matrix3<float> R = state.T.R.cast<float>();
-  const Vector3f t = state.T.t.cast<float>();
+  const Vector3f t = state.T.t.cast<float>(), about = centre.cast<float>();
   const float gain = static_cast<float>(state.gain), offset = static_cast<float>(state.offset);
   // From pixels of this level to those of the depth, and of level 0.
   const float to_depth = std::ldexp(1.f, level - depth.level), to_base = std::ldexp(1.f, level);
@@ -38,7 +38,7 @@ int SerialReduction::run(const PointSet& points, int level, const Camera& camera
 
   // Half extents of the region, for the linear modes.
   float u0 = 0, v0 = 0, u_half = 1, v_half = 1;
-  if (kDerivatives && use_depth && n > 0) {
+  if (sums && use_depth && n > 0) {
     const auto [u_lo, u_hi] = std::minmax_element(points.u.begin(), points.u.end());
     const auto [v_lo, v_hi] = std::minmax_element(points.v.begin(), points.v.end());
     u0 = 0.5f * (*u_lo + *u_hi), v0 = 0.5f * (*v_lo + *v_hi);
@@ -48,8 +48,10 @@ int SerialReduction::run(const PointSet& points, int level, const Camera& camera
   int seen = 0;
   for (int i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    PointResidual& p = out[k];
-    p = {};
+    if (out) {
+      for (std::vector<float>* a : {&out->r, &out->extra, &out->value, &out->r_depth}) (*a)[k] = 0;
+      out->visibility[k] = 0;
+    }
     if (excluded && excluded[i]) continue;
     const float q = points.q[k];
     const Vector3f ray = R * Vector3f(points.x[k], points.y[k], 1.f);
@@ -60,6 +62,8 @@ int SerialReduction::run(const PointSet& points, int level, const Camera& camera
     const Eigen::Matrix<float, 2, 1> pixel = camera.template project<float>(X, &J_pi);
     if (!(pixel.x() >= 1 && pixel.y() >= 1 && pixel.x() < u_max && pixel.y() < v_max)) continue;
 
+    bool has_depth = false;
+    float r_depth = 0;
     if (use_depth) {
       const float left = pixel.x() + 0.5f, top = pixel.y() + 0.5f;  // of the image's edges
       const int u = static_cast<int>(left * to_depth), v = static_cast<int>(top * to_depth);
@@ -71,46 +75,56 @@ int SerialReduction::run(const PointSet& points, int level, const Camera& camera
         const bool hidden = depth.hidden.data != nullptr &&
                             depth.hidden(static_cast<int>(left * to_base), static_cast<int>(top * to_base));
         if (nearer || hidden) {
-          p.occluded = 1;
+          if (out) out->visibility[k] = kernel::kOccluded;
           if (sums) ++sums->occluded;
           continue;
         }
-        if (measured > 0) p.has_depth = 1, p.r_depth = difference;
+        if (measured > 0) has_depth = true, r_depth = difference;
       }
     }
 
-    const Sample s = sample(image, pixel.x(), pixel.y());
-    p.seen = 1;
-    p.value = s.value;
-    p.r = s.value - gain * reference[k] - offset;
+    Sample s = sample(image, pixel.x(), pixel.y());
+    if (noise.gradient != GradientSource::Image) {
+      // A small piece of surface appears 1 / Z~ times as large as in the reference, so its gradient is Z~ times that
+      // one; its turn about the optical axis and its shear are left out.
+      const auto l = static_cast<std::size_t>(level);
+      const float scale = gain * X.z(), own = noise.gradient == GradientSource::Mean ? 0.5f : 0;
+      s.gx = own * s.gx + (1 - own) * scale * points.gu[l][k];
+      s.gy = own * s.gy + (1 - own) * scale * points.gv[l][k];
+    }
+    const float r = s.value - gain * reference[k] - offset;
     // The residual's derivative by the moved point X~, and by its inverse depth (dX~/dq = t).
     const Vector3f dr_dX(s.gx * J_pi(0, 0) + s.gy * J_pi(1, 0), s.gx * J_pi(0, 1) + s.gy * J_pi(1, 1),
                          s.gx * J_pi(0, 2) + s.gy * J_pi(1, 2));
     const float dr_dq = dr_dX.dot(t);
     const float by_depth = dr_dq * points.sigma_q[k];
-    p.extra = by_depth * by_depth + gradient2 * (s.gx * s.gx + s.gy * s.gy);
+    const float extra = by_depth * by_depth + gradient2 * (s.gx * s.gx + s.gy * s.gy);
     ++seen;
+    if (out) {
+      out->r[k] = r, out->extra[k] = extra, out->value[k] = s.value, out->r_depth[k] = r_depth;
+      out->visibility[k] = has_depth ? kernel::kSeen | kernel::kHasDepth : kernel::kSeen;
+    }
 
-    if constexpr (kDerivatives) {
-      // dX~/dxi = [q I, -[X~]x]
-      const Vector3f turn = X.cross(dr_dX);
+    if (sums) {
+      const Vector3f arm = X - q * about;
+      const Vector3f turn = arm.cross(dr_dX);
       const float J[8] = {q * dr_dX.x(), q * dr_dX.y(), q * dr_dX.z(), turn.x(), turn.y(), turn.z(), -reference[k], -1};
-      const float s2 = s2_intensity + p.extra;
-      const float e = p.r / std::sqrt(s2);
+      const float s2 = s2_intensity + extra;
+      const float e = r / std::sqrt(s2);
       const float w = huber_weight(e, noise.huber) / s2;
       sums->cost += static_cast<double>(huber_cost(e, noise.huber));
-      add(J, w, p.r, *sums);
+      add(J, w, r, *sums);
       if (use_depth) {
         const float mode[3] = {1, (points.u[k] - u0) / u_half, (points.v[k] - v0) / v_half};
         for (std::size_t m = 0; m < 3; ++m)
           for (int c = 0; c < 8; ++c) sums->modes[m][c] += static_cast<double>(w * dr_dq * mode[m] * J[c]);
-        if (p.has_depth && depth.weight > 0) {
+        if (has_depth && depth.weight > 0) {
           // r_depth = measured - q / Z~; the predicted q' = q / Z~ moves by -q' dZ~ / Z~.
           const float f = qi / X.z();
-          const float Jq[8] = {0, 0, f * q, f * X.y(), -f * X.x(), 0, 0, 0};
-          const float eq = p.r_depth / depth.sigma;
+          const float Jq[8] = {0, 0, f * q, f * arm.y(), -f * arm.x(), 0, 0, 0};
+          const float eq = r_depth / depth.sigma;
           const float wq = depth.weight * huber_weight(eq, noise.huber) / (depth.sigma * depth.sigma);
-          add(Jq, wq, p.r_depth, *sums);
+          add(Jq, wq, r_depth, *sums);
           sums->cost += static_cast<double>(depth.weight * huber_cost(eq, noise.huber));
           for (int c = 2; c < 5; ++c) sums->modes[3][c] += static_cast<double>(wq * Jq[c]);
         }
@@ -124,7 +138,6 @@ int SerialReduction::run(const PointSet& points, int level, const Camera& camera
     sums->inside = seen + sums->occluded;
     sums->cost = seen ? sums->cost / seen : 0;
   }
-  return seen;
 }
 
 DOT_END_NAMESPACE

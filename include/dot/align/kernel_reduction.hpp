@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+#include <type_traits>
+
+#include "dot/align/portable_kernels.hpp"
+#include "dot/align/reduction.hpp"
+#include "dot/camera/pinhole.hpp"
+#if defined(DOT_COMPILED_KERNELS)
+#include "dot/align/dispatch.hpp"
+#endif
+
+DOT_BEGIN_NAMESPACE
+
+/// The reduction over the kernels of align/kernel.hpp where the camera is a pinhole; any other camera goes the way of
+/// SerialReduction. The two agree to float rounding.
+struct KernelReduction {
+  const kernel::Kernels* kernels = &portable_kernels();  ///< never null
+
+  template <typename Camera>
+  void residuals(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
+                 const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
+                 PointResiduals& out) const {
+    if constexpr (std::is_same_v<Camera, Pinhole>) {
+      out.resize(static_cast<std::size_t>(points.size()));
+      kernel::Depth measured;
+      kernels->residuals(input(points, level, camera, image, state, noise, depth, nullptr, measured),
+                         {out.r.data(), out.extra.data(), out.value.data(), out.r_depth.data(), out.visibility.data()});
+    } else {
+      SerialReduction::residuals(points, level, camera, image, state, noise, depth, out);
+    }
+  }
+
+  template <typename Camera>
+  NormalEquations linearize(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
+                            const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
+                            const std::uint8_t* excluded,
+                            const Vector3<double>& centre = Vector3<double>::Zero()) const {
+    if constexpr (std::is_same_v<Camera, Pinhole>) {
+      kernel::Depth measured;
+      kernel::Input in = input(points, level, camera, image, state, noise, depth, excluded, measured);
+      for (int k = 0; k < 3; ++k) in.view.centre[k] = static_cast<float>(centre[k]);
+      kernel::Sums sums;
+      kernels->linearize(in, sums);
+      NormalEquations out;
+      out.H = Eigen::Map<const Matrix8>(sums.H);
+      out.g = Eigen::Map<const Vector8>(sums.g);
+      out.cost = sums.seen ? sums.cost / sums.seen : 0;
+      out.seen = sums.seen;
+      out.occluded = sums.occluded;
+      out.inside = sums.seen + sums.occluded;
+      for (std::size_t m = 0; m < out.modes.size(); ++m) out.modes[m] = Eigen::Map<const Vector8>(sums.modes[m]);
+      return out;
+    } else {
+      return SerialReduction::linearize(points, level, camera, image, state, noise, depth, excluded, centre);
+    }
+  }
+
+  /// The arguments of the kernels. The result borrows all of it, and `measured`.
+  static kernel::Input input(const PointSet& points, int level, const Pinhole& camera, const Image<std::uint8_t>& image,
+                             const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
+                             const std::uint8_t* excluded, kernel::Depth& measured) {
+    kernel::Input in;
+    const auto l = static_cast<std::size_t>(level);
+    kernel::Points& p = in.points;
+    p.n = points.size();
+    p.x = points.x.data(), p.y = points.y.data(), p.q = points.q.data(), p.sigma_q = points.sigma_q.data();
+    p.intensity = points.intensity[l].data(), p.gu = points.gu[l].data(), p.gv = points.gv[l].data();
+    p.u = points.u.data(), p.v = points.v.data();
+    p.excluded = excluded;
+    if (noise.gradient != GradientSource::Image && points.gu[l].size() != points.u.size())
+      throw std::invalid_argument("points.gu must have a value for each point where its gradients are to be taken");
+    in.gradient = noise.gradient;
+    in.level = {image.row(0), image.width(), image.height(), image.width()};
+    const Intrinsics& k = camera.intrinsics();
+    in.view.fx = static_cast<float>(k.fx), in.view.fy = static_cast<float>(k.fy);
+    in.view.cx = static_cast<float>(k.cx), in.view.cy = static_cast<float>(k.cy);
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c) in.view.R[3 * r + c] = static_cast<float>(state.T.R(r, c));
+      in.view.t[r] = static_cast<float>(state.T.t[r]);
+    }
+    in.view.gain = static_cast<float>(state.gain), in.view.offset = static_cast<float>(state.offset);
+    in.noise = {noise.sigma_intensity * noise.sigma_intensity, noise.gradient_noise * noise.gradient_noise,
+                noise.huber};
+    if (depth.inverse_depth.data) {
+      measured.data = depth.inverse_depth.data;
+      measured.width = depth.inverse_depth.width, measured.height = depth.inverse_depth.height;
+      measured.stride = depth.inverse_depth.stride;
+      measured.scale = std::ldexp(1.f, level - depth.level);
+      measured.hidden = depth.hidden.data;
+      measured.hidden_width = depth.hidden.width, measured.hidden_height = depth.hidden.height;
+      measured.hidden_stride = depth.hidden.stride;
+      measured.hidden_scale = std::ldexp(1.f, level);
+      measured.occlusion_relative = depth.occlusion_relative;
+      measured.occlusion_absolute = depth.occlusion_sigmas * depth.sigma;
+      measured.sigma = depth.sigma, measured.weight = depth.weight;
+      in.depth = &measured;
+    }
+    return in;
+  }
+};
+
+#if defined(DOT_COMPILED_KERNELS)
+/// KernelReduction with the kernels that suit the machine it runs on. A type of its own, so that a unit built with the
+/// compiled tier and one built without may meet in one program.
+struct DispatchedReduction : KernelReduction {
+  DispatchedReduction() : KernelReduction{find_kernels()} {}
+};
+using DefaultReduction = DispatchedReduction;
+#else
+using DefaultReduction = KernelReduction;
+#endif
+
+DOT_END_NAMESPACE

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dot/align/kernel.hpp"
+
+/// @file
+/// The variants that a build contains; each may be called only on a machine that has its instructions.
+
+namespace dot::kernel {
+
+extern const Kernels avx2;
+extern const Kernels avx512;
+
+}  // namespace dot::kernel

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
 //
-// Built with -mavx512f and what each machine that has it has besides; see avx2.cpp on what may be included.
+// Built with -mavx512f -mavx512dq -mfma; see avx2.cpp on what may be included.
 #include <immintrin.h>
 
 #include "dot/align/impl/kernel_body.hpp"

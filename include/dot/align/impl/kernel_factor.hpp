@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dot/align/kernel.hpp"
+
+/// @file
+/// Residuals and Jacobians of blocks of points over a vector of V::W lanes; impl/kernel_body.hpp adds them up. All here
+/// are templates over V, and V is a name of its unit's own, so no two units share a function. V is one of
+/// impl/lanes.hpp or of src/kernels/; it has, besides W, the types F (float lanes), I (32-bit integers), M (a mask),
+/// and static functions:
+///
+///     F set(float), load(const float*); void store(float*, F); float sum(F);
+///     F add, sub, mul, div, min, max(F, F); fma(F a, F b, F c);  // a b + c; max(NaN, b) = b
+///     F abs(F), inverse_sqrt(F);                                 // the latter to about float precision
+///     M less(F, F), not_less(F, F);                              // false for NaN
+///     M both(M, M), either(M, M), without(M a, M b); F keep(M, F); int count(M);  // a and not b; f or zero
+///     M zero_bytes(const unsigned char*);                        // of W bytes
+///     void store_bits(unsigned char*, M bit0, M bit1, M bit2);   // W bytes
+///     I seti(int), to_int(F), addi, muli, mini(I, I); F to_float(I);  // to_int truncates
+///     F byte<k>(I); F gather(const float*, I bytes);             // byte k as a number; at a byte offset
+///     I gather4(const unsigned char*, I); M nonzero_byte(const unsigned char*, I, int bytes);
+
+namespace dot::kernel {
+
+constexpr int kBlock = 128;    // points
+constexpr int kReference = 6;  // columns: the pose's six, then minus the reference's intensity (of the gain), ...
+constexpr int kMinusOne = 7;   // ... of the offset, ...
+constexpr int kResidual = 8;   // ... the residual, ...
+constexpr int kByDepth = 9;    // ... and its derivative by inverse depth, times 1, u and v
+constexpr int kColumns = 12;
+
+/// The columns of one block.
+struct Block {
+  alignas(64) float photo[kColumns][kBlock];
+  alignas(64) float weight[kBlock];
+  alignas(64) float depth[5][kBlock];  ///< of the depth residual: derivatives by the shift along z and the turns about
+                                       ///< x and y, the residual, one
+  alignas(64) float depth_weight[kBlock];
+};
+
+/// What is summed while residuals are computed.
+template <typename V>
+struct Tally {
+  typename V::F cost = V::set(0);
+  typename V::F u_min = V::set(1e30f), u_max = V::set(-1e30f), v_min = V::set(1e30f), v_max = V::set(-1e30f);
+  int seen = 0, occluded = 0;
+};
+
+/// Bilinear value and, where wanted, central differences (times two) of the 4x4 pixels about (u, v).
+template <typename V>
+struct Patch {
+  using F = typename V::F;
+  F value, gx = V::set(0), gy = V::set(0);
+
+  static F between(F a, F b, F t) { return V::fma(t, V::sub(b, a), a); }
+
+  /// @pre 1 <= u <= width - 3, 1 <= v <= height - 3.
+  Patch(const Level& level, F u, F v, bool gradient) {
+    using I = typename V::I;
+    const I column = V::to_int(u), row = V::to_int(v);
+    const F a = V::sub(u, V::to_float(column)), b = V::sub(v, V::to_float(row));
+    const I at = V::addi(V::muli(row, V::seti(static_cast<int>(level.stride))), column);
+    // The four neighbours of a row come with one load.
+    const unsigned char* corner = level.data - level.stride - 1;
+    const I p1 = V::gather4(corner + level.stride, at), p2 = V::gather4(corner + 2 * level.stride, at);
+    const F a1 = V::template byte<1>(p1), b1 = V::template byte<2>(p1);
+    const F a2 = V::template byte<1>(p2), b2 = V::template byte<2>(p2);
+    const F v1 = between(a1, b1, a), v2 = between(a2, b2, a);
+    value = between(v1, v2, b);
+    if (!gradient) return;
+    const I p0 = V::gather4(corner, at), p3 = V::gather4(corner + 3 * level.stride, at);
+    const F v0 = between(V::template byte<1>(p0), V::template byte<2>(p0), a);
+    const F v3 = between(V::template byte<1>(p3), V::template byte<2>(p3), a);
+    gy = between(V::sub(v2, v0), V::sub(v3, v1), b);
+    gx = between(between(V::sub(b1, V::template byte<0>(p1)), V::sub(V::template byte<3>(p1), a1), a),
+                 between(V::sub(b2, V::template byte<0>(p2)), V::sub(V::template byte<3>(p2), a2), a), b);
+  }
+};
+
+/// Residuals of the first `n` points of `p`, a multiple of the lanes: into `out`, or as columns of `block` from `at`
+/// on.
+template <typename V, GradientSource kGradient, bool kColumnsWanted, bool kDepth>
+void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Block* block, int at, Tally<V>& tally) {
+  using F = typename V::F;
+  using M = typename V::M;
+  const View& view = in.view;
+  const F R0 = V::set(view.R[0]), R1 = V::set(view.R[1]), R2 = V::set(view.R[2]), R3 = V::set(view.R[3]);
+  const F R4 = V::set(view.R[4]), R5 = V::set(view.R[5]), R6 = V::set(view.R[6]), R7 = V::set(view.R[7]);
+  const F R8 = V::set(view.R[8]), t0 = V::set(view.t[0]), t1 = V::set(view.t[1]), t2 = V::set(view.t[2]);
+  const F c0 = V::set(-view.centre[0]), c1 = V::set(-view.centre[1]), c2 = V::set(-view.centre[2]);
+  const F fx = V::set(view.fx), fy = V::set(view.fy), cx = V::set(view.cx), cy = V::set(view.cy);
+  const F fx_half = V::set(0.5f * view.fx), fy_half = V::set(0.5f * view.fy);
+  const F zero = V::set(0), one = V::set(1), z_min = V::set(1e-3f);
+  const F u_end = V::set(static_cast<float>(in.level.width - 3)),
+          v_end = V::set(static_cast<float>(in.level.height - 3));
+  const F minus_gain = V::set(-view.gain), offset = V::set(view.offset);
+  const F s2_intensity = V::set(in.noise.s2), gradient2 = V::set(0.25f * in.noise.gradient2);
+  const F huber = V::set(in.noise.huber), half = V::set(0.5f);
+
+  for (int i = 0; i < n; i += V::W) {
+    const F x = V::load(p.x + i), y = V::load(p.y + i), q = V::load(p.q + i);
+    const F X = V::fma(R0, x, V::fma(R1, y, V::fma(t0, q, R2)));
+    const F Y = V::fma(R3, x, V::fma(R4, y, V::fma(t1, q, R5)));
+    const F Z = V::fma(R6, x, V::fma(R7, y, V::fma(t2, q, R8)));
+    F iz = V::div(one, Z), xn = V::mul(X, iz), yn = V::mul(Y, iz);
+    F u = V::fma(fx, xn, cx), v = V::fma(fy, yn, cy);
+    M seen = V::both(V::not_less(Z, z_min), V::both(V::both(V::not_less(u, one), V::less(u, u_end)),
+                                                    V::both(V::not_less(v, one), V::less(v, v_end))));
+    if (p.excluded) seen = V::both(seen, V::zero_bytes(p.excluded + i));
+    // Whatever the other lanes hold, infinities and NaN too, must not reach an address nor a sum.
+    u = V::min(V::max(u, one), u_end), v = V::min(V::max(v, one), v_end);
+    xn = V::keep(seen, xn), yn = V::keep(seen, yn), iz = V::keep(seen, iz);
+    const F qi = V::keep(seen, V::mul(q, iz));
+
+    M has_depth = V::less(one, zero), occluded = has_depth;
+    F r_depth = zero;
+    if constexpr (kDepth) {
+      const Depth& d = *in.depth;
+      const F left = V::add(u, half), top = V::add(v, half), scale = V::set(d.scale);
+      const F ud = V::mul(left, scale), vd = V::mul(top, scale);
+      const M inside = V::both(seen, V::both(V::less(ud, V::set(static_cast<float>(d.width))),
+                                             V::less(vd, V::set(static_cast<float>(d.height)))));
+      const auto column = V::mini(V::to_int(ud), V::seti(d.width - 1));
+      const auto row = V::mini(V::to_int(vd), V::seti(d.height - 1));
+      const F measured =
+          V::gather(d.data, V::addi(V::muli(row, V::seti(static_cast<int>(d.stride))), V::muli(column, V::seti(4))));
+      const F difference = V::sub(measured, qi);
+      const F limit = V::max(V::mul(V::set(d.occlusion_relative), qi), V::set(d.occlusion_absolute));
+      const M measures = V::both(inside, V::less(zero, measured));
+      occluded = V::both(measures, V::less(limit, difference));
+      if (d.hidden) {
+        const F to_hidden = V::set(d.hidden_scale);
+        const auto uh = V::mini(V::to_int(V::mul(left, to_hidden)), V::seti(d.hidden_width - 1));
+        const auto vh = V::mini(V::to_int(V::mul(top, to_hidden)), V::seti(d.hidden_height - 1));
+        const int stride = static_cast<int>(d.hidden_stride);
+        occluded =
+            V::either(occluded, V::both(inside, V::nonzero_byte(d.hidden, V::addi(V::muli(vh, V::seti(stride)), uh),
+                                                                stride * (d.hidden_height - 1) + d.hidden_width)));
+      }
+      tally.occluded += V::count(occluded);
+      seen = V::without(seen, occluded);
+      has_depth = V::both(measures, seen);
+      r_depth = V::keep(has_depth, difference);
+    }
+    tally.seen += V::count(seen);
+
+    Patch<V> patch(in.level, u, v, kGradient != GradientSource::Reference);
+    if constexpr (kGradient != GradientSource::Image) {
+      // A small piece of surface appears 1 / Z~ times as large as in the reference, so its gradient is Z~ times that
+      // one; its turn about the optical axis and its shear are left out.
+      const F scale = V::mul(V::keep(seen, Z), V::set(kGradient == GradientSource::Mean ? view.gain : 2 * view.gain));
+      const F gx = V::mul(scale, V::load(p.gu + i)), gy = V::mul(scale, V::load(p.gv + i));
+      if constexpr (kGradient == GradientSource::Mean)
+        patch.gx = V::fma(half, patch.gx, gx), patch.gy = V::fma(half, patch.gy, gy);
+      else
+        patch.gx = gx, patch.gy = gy;
+    }
+    const F intensity = V::load(p.intensity + i);
+    const F r = V::sub(V::fma(minus_gain, intensity, patch.value), offset);
+    const F gu = V::mul(patch.gx, fx_half), gv = V::mul(patch.gy, fy_half);
+    const F along = V::fma(gu, xn, V::mul(gv, yn));
+    // dX~/dq = t, and dr/dX~ = (gu, gv, -along) / Z.
+    const F dr_dq = V::mul(V::fma(gu, t0, V::sub(V::mul(gv, t1), V::mul(along, t2))), iz);
+    const F by_depth = V::mul(dr_dq, V::load(p.sigma_q + i));
+    const F gradient = V::fma(patch.gx, patch.gx, V::mul(patch.gy, patch.gy));
+    const F extra = V::fma(by_depth, by_depth, V::mul(gradient2, gradient));
+
+    if constexpr (kColumnsWanted) {
+      const int k = at + i;
+      const F bx = V::fma(c0, qi, xn), by = V::fma(c1, qi, yn), bz = V::fma(c2, qi, one);
+      const F inverse_s = V::inverse_sqrt(V::add(extra, s2_intensity));
+      const F e = V::abs(V::mul(r, inverse_s));
+      const F weight = V::div(V::mul(V::mul(inverse_s, inverse_s), huber), V::max(e, huber));
+      const F bounded = V::min(e, huber);
+      tally.cost = V::add(tally.cost, V::keep(seen, V::mul(bounded, V::fma(V::set(-0.5f), bounded, e))));
+      float(*c)[kBlock] = block->photo;
+      V::store(block->weight + k, V::keep(seen, weight));
+      V::store(c[0] + k, V::mul(gu, qi));
+      V::store(c[1] + k, V::mul(gv, qi));
+      V::store(c[2] + k, V::sub(zero, V::mul(along, qi)));
+      V::store(c[3] + k, V::sub(zero, V::fma(along, by, V::mul(bz, gv))));
+      V::store(c[4] + k, V::fma(along, bx, V::mul(bz, gu)));
+      V::store(c[5] + k, V::sub(V::mul(gv, bx), V::mul(gu, by)));
+      V::store(c[kReference] + k, V::sub(zero, intensity));
+      V::store(c[kResidual] + k, r);
+      if constexpr (kDepth) {
+        const Depth& d = *in.depth;
+        const F pu = V::load(p.u + i), pv = V::load(p.v + i);
+        tally.u_min = V::min(tally.u_min, pu), tally.u_max = V::max(tally.u_max, pu);
+        tally.v_min = V::min(tally.v_min, pv), tally.v_max = V::max(tally.v_max, pv);
+        V::store(c[kByDepth] + k, dr_dq);
+        V::store(c[kByDepth + 1] + k, V::mul(dr_dq, V::sub(pu, V::set(in.points.u[0]))));
+        V::store(c[kByDepth + 2] + k, V::mul(dr_dq, V::sub(pv, V::set(in.points.v[0]))));
+        // r_depth = measured - q / Z~; the predicted q' = q / Z~ moves by -q' dZ~ / Z~.
+        const float inverse_sigma = d.weight > 0 ? 1 / d.sigma : 0;
+        const F eq = V::abs(V::mul(r_depth, V::set(inverse_sigma))), bounded_q = V::min(eq, huber);
+        const F wq = V::div(V::set(d.weight * inverse_sigma * inverse_sigma * in.noise.huber), V::max(eq, huber));
+        const F cost = V::mul(V::set(d.weight), V::mul(bounded_q, V::fma(V::set(-0.5f), bounded_q, eq)));
+        tally.cost = V::add(tally.cost, V::keep(has_depth, cost));
+        V::store(block->depth_weight + k, V::keep(has_depth, wq));
+        V::store(block->depth[0] + k, V::mul(qi, qi));
+        V::store(block->depth[1] + k, V::mul(qi, by));
+        V::store(block->depth[2] + k, V::sub(zero, V::mul(qi, bx)));
+        V::store(block->depth[3] + k, r_depth);
+      }
+    } else {
+      V::store(out->r + i, V::keep(seen, r));
+      V::store(out->extra + i, V::keep(seen, extra));
+      V::store(out->value + i, V::keep(seen, patch.value));
+      V::store(out->r_depth + i, r_depth);
+      V::store_bits(out->visibility + i, seen, has_depth, occluded);
+    }
+  }
+}
+
+}  // namespace dot::kernel

@@ -16,7 +16,8 @@ usage: ./dev.sh VERB
 
   demo       build the runner, run it on the sample sequence, show where the pictures are
   test       build everything and run all tests
-  bench      build and run the benchmarks; further arguments go to them, e.g. --benchmark_filter=warp
+  bench      build and run the benchmarks, those beside OpenCV's odometry too; with arguments Google Benchmark's
+             alone, which get them, e.g. --benchmark_filter=warp
   format     format all C++ and C files in place
   lint       formatting, clang-tidy, versions; changes nothing
   versions   check that version.hpp, dot.h, vcpkg.json and CHANGELOG.md name the same version
@@ -93,9 +94,13 @@ run_tests() {
 }
 
 bench() {
-  compile dot_bench
+  need libopencv-contrib-dev
+  compile dot_benchmarks
   say "benchmarks"
   "$build/bench/dot_bench" "$@"
+  [ $# -eq 0 ] && [ -x "$build/bench/bench_peer_room" ] || return 0
+  say "the whole alignment of a new frame beside OpenCV's RgbdOdometry"
+  "$build/bench/bench_peer_room"
 }
 
 format() {

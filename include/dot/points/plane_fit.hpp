@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "dot/abi.hpp"
-#include "dot/align/impl/lanes.hpp"
 #include "dot/image/view.hpp"
+#include "dot/lanes.hpp"
 
 DOT_BEGIN_NAMESPACE
 

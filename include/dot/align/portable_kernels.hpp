@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dot/align/impl/kernel_body.hpp"
-#include "dot/align/impl/lanes.hpp"
+#include "dot/lanes.hpp"
 
 DOT_BEGIN_NAMESPACE
 

@@ -10,6 +10,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "dot/align/aligner.hpp"
+#include "dot/align/pose_distance.hpp"
 #include "dot/align/settings.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -31,25 +32,27 @@ struct CameraMotionEstimator {
                      bool known, double search, Aligner& aligner) const {
     const AlignProblem<Camera> problem{points, image, camera};
     const int top = std::min(points.levels, image.size()) - 1, fine = std::min(1, top);
-    std::vector<Alignment> candidates;
-    candidates.push_back(aligner.align(problem, {predicted}, top));
-    AlignState state = candidates.front().state;
-    candidates.push_back(aligner.align(problem, {predicted, state.gain, state.offset}, fine));
-    if (predicted.log().norm() > 1e-3)
-      candidates.push_back(aligner.align(problem, {SE3d{}, state.gain, state.offset}, top));
-
+    // On the fine level but one, minima are told apart; the finest is for those that remain.
+    Minima minima;
+    minima.add(problem, aligner.align(problem, {predicted}, top, fine));
+    const AlignState state = minima.found.front().state;
+    const auto add = [&](const SE3d& start, int coarsest) {
+      minima.add(problem, aligner.align(problem, {start, state.gain, state.offset}, coarsest, fine));
+    };
+    add(predicted, fine);
+    if (predicted.log().norm() > 1e-3) add(SE3d{}, top);
     if (!known)
-      for (const SE3d& start : searched(problem, search, state, aligner))
-        candidates.push_back(aligner.align(problem, {start, state.gain, state.offset}, fine));
+      for (const SE3d& start : searched(problem, search, state, aligner)) add(start, fine);
 
-    const std::size_t unshifted = candidates.size();
+    const std::size_t unshifted = minima.found.size();
     double sigma = std::numeric_limits<double>::infinity();
-    for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, fine));
-    for (std::size_t i = 0; i < unshifted; ++i) {
-      if (i > 0 && (candidates[i].state.T.t - candidates[0].state.T.t).norm() < 1e-2) continue;
-      for (const AlignState& start : shifted(problem, candidates[i], fine, sigma, aligner))
-        candidates.push_back(aligner.align(problem, start, fine));
-    }
+    for (const Alignment& a : minima.found) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, fine));
+    for (std::size_t i = 0; i < unshifted; ++i)
+      for (const AlignState& start : shifted(problem, minima.found[i], fine, sigma, aligner))
+        minima.add(problem, aligner.align(problem, start, fine, fine));
+    std::vector<Alignment>& candidates = minima.found;
+    if (fine > 0)
+      for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);
     return best(problem, candidates, aligner);
   }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dot/align/aligner.hpp"
+#include "dot/align/pose_distance.hpp"
 #include "dot/motion/disparity.hpp"
 #include "dot/motion/estimate.hpp"
 #include "dot/motion/known_velocity.hpp"
@@ -71,9 +72,13 @@ struct ObjectMotionEstimator {
     // Levels on which the object still has some structure.
     int top = std::min(reference.points.levels, scene.image.size()) - 1;
     while (top > 0 && std::sqrt(1.0 * reference.area) / (1 << top) < 5) --top;
-    std::vector<Alignment> candidates;
+    const int fine = std::min(1, top);
+    Minima minima;
     for (const SE3d& T_o : starts)
-      candidates.push_back(aligner.align(problem, {problem.T_outer * T_o, reference.gain, reference.offset}, top));
+      minima.add(problem, aligner.align(problem, {problem.T_outer * T_o, reference.gain, reference.offset}, top, fine));
+    std::vector<Alignment>& candidates = minima.found;
+    if (fine > 0)
+      for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
     // A later start must win by a margin: equal minima should not alternate.

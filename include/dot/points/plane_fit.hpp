@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "dot/abi.hpp"
-#include "dot/align/impl/lanes.hpp"
 #include "dot/image/view.hpp"
+#include "dot/lanes.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -101,8 +101,8 @@ Sums sum_window(ImageView<const float> inverse_depth, const Window& window, cons
   return out;
 }
 
-/// Depths of neighbouring pixels are not independent: of a window that is not small some rows tell as much as all.
-inline int row_step(int radius) { return radius < 5 ? 1 : radius < 16 ? 2 : radius / 8; }
+/// Depths of neighbouring pixels are not independent: of a large window some rows tell as much as all.
+inline int row_step(int radius) { return radius < 7 ? 1 : radius < 16 ? 2 : radius / 8; }
 
 }  // namespace plane_fitting
 

@@ -9,8 +9,9 @@
 #include "dot/abi.hpp"
 
 /// @file
-/// Lanes for impl/kernel_body.hpp in plain C++: one, and four by the vectors that GCC and Clang map to what the build's
-/// machine has (SSE2, NEON). They live in the namespace of the including build, with its flags.
+/// SIMD lanes in plain C++, for what is written over them (align/impl/kernel_body.hpp, points/plane_fit.hpp): one, and
+/// four by the vectors that GCC and Clang map to what the build's machine has (SSE2, NEON). They live in the namespace
+/// of the including build, with its flags.
 
 DOT_BEGIN_NAMESPACE
 

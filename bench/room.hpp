@@ -8,11 +8,11 @@
 
 namespace dot::bench {
 
-/// A furnished room 3 m wide, 2.4 m high, whose far wall is 3.5 m ahead of the world's origin: textured walls, floor
-/// and ceiling, and boxes in front of them.
-inline test::Scene room(unsigned seed) {
+/// A furnished room 3 m wide, 2.4 m high, whose far wall is 3.5 m ahead of the world's origin: textured walls, floor and
+/// ceiling, and boxes in front of them. `shortest` is the shortest wavelength of the textures, metres.
+inline test::Scene room(unsigned seed, double shortest = 0.06) {
   using V = Vector3<double>;
-  const auto texture = [&, shortest = 0.06] { return test::Texture(++seed, shortest, 1.2); };
+  const auto texture = [&] { return test::Texture(++seed, shortest, 1.2); };
   test::Body walls;
   walls.quads.push_back({V(0, 0, 3.5), V(1.5, 0, 0), V(0, 1.2, 0), texture()});
   for (const double side : {-1.0, 1.0}) {
@@ -24,7 +24,7 @@ inline test::Scene room(unsigned seed) {
   test::Random random(seed);
   for (int i = 0; i < 5; ++i) {
     const V half(random.uniform(0.15, 0.35), random.uniform(0.15, 0.4), random.uniform(0.15, 0.3));
-    test::Body furniture = test::box(0, half, seed += 10, 0.06, 1.2);
+    test::Body furniture = test::box(0, half, seed += 10, shortest, 1.2);
     furniture.T_world_body.R = so3::exp(V(0, random.uniform(-0.8, 0.8), 0));
     furniture.T_world_body.t = V(-1.1 + 0.55 * i, random.uniform(0.4, 0.9), random.uniform(2, 3));
     scene.bodies.push_back(furniture);
@@ -38,6 +38,12 @@ struct Pair {
   SE3d T_cur_ref;
 };
 
+/// A camera of 63 degrees.
+inline Pinhole camera_of(int width, int height) {
+  const double f = 0.8125 * width;
+  return Pinhole({f, f, 0.5 * (width - 1), 0.5 * (height - 1), width, height, 0});
+}
+
 /// A step of 5 to 30 mm and 0.5 to 2 degrees in a random direction about a random axis. Each pixel has noise of 2 grey
 /// values and, as structured light has at 2 m, of 3 mm depth (0.0008 1/m).
 inline Pair room_pair(unsigned seed, const Pinhole& camera) {
@@ -45,7 +51,7 @@ inline Pair room_pair(unsigned seed, const Pinhole& camera) {
   const Vector3<double> direction = random.normal3().normalized(), axis = random.normal3().normalized();
   Vector6<double> twist;
   twist << direction * random.uniform(0.005, 0.03), axis * random.uniform(0.5, 2) * 3.14159265358979 / 180;
-  const test::Scene scene = room(1000 * seed);
+  const test::Scene scene = room(1000 * seed, 0.06 * 520 / camera.intrinsics().fx);
   Pair pair;
   pair.T_cur_ref = SE3d::exp(twist);
   test::Degradation sensor;

@@ -72,7 +72,7 @@ void print(const Way& way, const Score& peer) {
 }
 
 void run(unsigned pairs, int repeats) {
-  const dot::Pinhole camera({520, 520, 319.5, 239.5, 640, 480, 0});
+  const dot::Pinhole camera = camera_of(640, 480);
   dot::DepthNoiseSettings prior;
   prior.source = dot::DepthSource::Rgbd;
   const dot::DepthNoise noise(prior, camera.intrinsics());

@@ -93,14 +93,30 @@ run_tests() {
   ctest --test-dir "$build" --output-on-failure -j2 || fail "tests failed; what each of them printed is above"
 }
 
+# bench [OPTION...]: without options all of them, on the sample where they want a sequence; in out/bench what they print
+# and the plots of docs/performance.md.
 bench() {
   need libopencv-contrib-dev
   compile dot_benchmarks
-  say "benchmarks"
-  "$build/bench/dot_bench" "$@"
-  [ $# -eq 0 ] && [ -x "$build/bench/bench_peer_room" ] || return 0
-  say "the whole alignment of a new frame beside OpenCV's RgbdOdometry"
-  "$build/bench/bench_peer_room"
+  if [ $# -gt 0 ]; then
+    "$build/bench/dot_bench" "$@"
+    return
+  fi
+  local out=$root/out/bench
+  mkdir -p "$out"
+  say "kernels, stages, whole frames"
+  "$build/bench/dot_bench" --benchmark_out="$out/benchmarks.json" --benchmark_out_format=json
+  if [ -x "$build/bench/bench_peer_room" ]; then
+    say "the whole alignment of a new frame beside OpenCV's RgbdOdometry"
+    "$build/bench/bench_peer_room" | tee "$out/peer_room.txt"
+  fi
+  if [ -x "$build/bench/bench_peer_sequence" ]; then
+    say "the whole pipeline, and motions found from nothing, beside OpenCV's RgbdOdometry"
+    "$build/bench/bench_peer_sequence" "$sample" | tee "$out/peer_sequence.txt"
+    "$build/bench/bench_peer_convergence" "$sample" | tee "$out/peer_convergence.txt"
+  fi
+  if command -v python3 >/dev/null; then bench/plots.py "$out" "$out/benchmarks.json" "$out/peer_room.txt"; fi
+  echo "written to $out"
 }
 
 format() {

@@ -67,7 +67,7 @@ def plot(path, title, x_label, y_label, series, log=False):
         svg += [f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{4.5 if dots else 3}" fill="{colour}"/>' for x, y in places]
         # Where there is room: costs grow from the lower left, errors fall from the upper left.
         x = WIDTH - RIGHT - 150 if log else LEFT + 14
-        y = TOP + 16 + 17 * i
+        y = HEIGHT - BOTTOM - 12 - 17 * (len(series) - 1 - i) if log else TOP + 16 + 17 * i
         svg.append(f'<circle cx="{x}" cy="{y - 4}" r="4" fill="{colour}"/><text x="{x + 10}" y="{y}">{name}</text>')
     svg.append("</svg>\n")
     with open(path, "w", encoding="utf-8") as file:
@@ -106,7 +106,9 @@ def plot_benchmarks(out, found):
     counts = [n for n in (0, 1, 2, 5, 10, 20, 40) if f"BM_Scene/{n}/640" in found]
     scenes = [(n, found[f"BM_Scene/{n}/640"]) for n in counts]
     plot(f"{out}/objects.svg", "Time against objects, 640x480", "objects", "ms a frame",
-         [("track", [(n, e["ms"]) for n, e in scenes], False)])
+         [("track", [(n, e["ms"]) for n, e in scenes], False)] +
+         [(f"of it {stage}", [(n, e[f"{stage}_ms"]) for n, e in scenes], False)
+          for stage in ("objects", "points", "masks", "label")])
     sources = enumerate(("forward", "reference", "mean (ESM)"))
     plot(
         f"{out}/points.svg", "Alignment from the identity against points, 640x480", "budget of points", "ms",

@@ -5,6 +5,7 @@
 // every frame. The first two frames of each film are not counted.
 #include <benchmark/benchmark.h>
 
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -66,7 +67,8 @@ void BM_Scene(benchmark::State& state) {
       const double one = milliseconds([&] { result = &tracker.track(frame); });
       if (i < 2) continue;
       ms += one, ++frames, objects += static_cast<double>(result->objects.size);
-      for (std::size_t k = 0; k < stages.size(); ++k) stages[k] += result->stage_ms[k];
+      const double on_clock = std::accumulate(result->stage_ms.begin(), result->stage_ms.end(), 0.0);
+      for (std::size_t k = 0; k < stages.size(); ++k) stages[k] += result->stage_ms[k] * one / on_clock;
     }
     state.SetIterationTime(1e-3 * ms / (kFrames - 2));  // of one frame
   }

@@ -10,8 +10,8 @@
 
 namespace dot::bench {
 
-/// For cars: 20 m between two frames, 80 m of depth, which may be off by 2 m.
-inline Peer::Limits street_limits() { return {80, 2, 20, 30}; }
+/// For cars: 20 m between two frames, 80 m of depth, which may be off by 5 m.
+inline Peer::Limits street_limits() { return {80, 5, 20, 30}; }
 
 /// What the peer takes of a frame: grey, and depth in metres with NaN where there is none.
 struct PeerImages {

@@ -52,9 +52,8 @@ struct Track {
   double p_moving = 0.5;
   Vector3<double> velocity = Vector3<double>::Zero();  ///< fused, newest camera's axes
   Matrix3<double> velocity_covariance = Matrix3<double>::Zero();
-  VelocityTrust trust;  ///< in `velocity`
-  Vector3<double> position =
-      Vector3<double>::Zero();  ///< centre of its visible part, newest camera's axes; z > 0: known
+  VelocityTrust trust;                                        ///< in `velocity`
+  Vector3<double> position = Vector3<double>::Zero();         ///< of its middle, newest camera's axes; z > 0: known
   Vector3<double> position_before = Vector3<double>::Zero();  ///< in the frame before, its axes
   double size = 0;                                            ///< metres: root of the largest area that it has shown
   double last_seen = 0;                                       ///< timestamp

@@ -176,8 +176,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
     if (stands(object)) continue;
     const Vector3<double> centre = anchor(object.mask);
     if (object.visible && centre.z() > 0) {
-      object.position = centre;
-      object.size = std::max(object.size, std::sqrt(1.0 * object.mask.area) * centre.z() / camera_.intrinsics().fx);
+      // What is half hidden shows a part that is not its middle: then the middle is where its motion carried it.
+      const double size = std::sqrt(1.0 * object.mask.area) * centre.z() / camera_.intrinsics().fx;
+      if (size > 0.7 * object.size || object.position.z() <= 0) object.position = centre;
+      object.size = std::max(object.size, size);
     }
     if (!object.visible || object.mask.area < options_.selection.min_object_pixels) {
       object.no_reference = object.visible ? Reason::TooFewPixels : Reason::Hidden;

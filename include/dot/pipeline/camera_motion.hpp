@@ -19,23 +19,26 @@ DOT_BEGIN_NAMESPACE
 /// The contours of cast shadows lie on the road, outside every mask, with correct depth, and move with their cars; near
 /// asphalt has little else. Under Huber's cost the motion that follows them can be the lower minimum. So several
 /// starts are refined, each a candidate, and the one of least *redescending* cost is taken, all judged with the same
-/// residual scale: coarse to fine from constant velocity; constant velocity and standing still, fine levels only; and
-/// shifts of those along the direction that the points determine least.
+/// residual scale: coarse to fine from constant velocity and, before that, from what the host expects; the same on fine
+/// levels only; standing still; and shifts of those along the direction that the points determine least.
 struct CameraMotionEstimator {
   CameraSettings settings;
 
-  /// @param predicted T_c at constant velocity, if `known`; otherwise translations up to `search` metres along the axes
-  /// are tried. @return the alignment; `covariance` is that of the left twist of T_c.
+  /// @param predicted T_c, the most trusted first, at least one. Unless the motion is `known`, translations up to
+  /// `search` metres along the axes are tried as well. @return the alignment; `covariance` is that of the left twist of T_c.
   template <typename Camera, typename Aligner>
-  Alignment estimate(const PointSet& points, const Pyramid& image, const Camera& camera, const SE3d& predicted,
-                     bool known, double search, Aligner& aligner) const {
+  Alignment estimate(const PointSet& points, const Pyramid& image, const Camera& camera,
+                     const std::vector<SE3d>& predicted, bool known, double search, Aligner& aligner) const {
     const AlignProblem<Camera> problem{points, image, camera};
     const int top = std::min(points.levels, image.size()) - 1, fine = std::min(1, top);
     std::vector<Alignment> candidates;
-    candidates.push_back(aligner.align(problem, {predicted}, top));
-    AlignState state = candidates.front().state;
-    candidates.push_back(aligner.align(problem, {predicted, state.gain, state.offset}, fine));
-    if (predicted.log().norm() > 1e-3)
+    for (const SE3d& T : predicted) {
+      candidates.push_back(aligner.align(problem, {T}, top));
+      const AlignState& a = candidates.back().state;
+      candidates.push_back(aligner.align(problem, {T, a.gain, a.offset}, fine));
+    }
+    const AlignState state = candidates.front().state;
+    if (predicted.back().log().norm() > 1e-3)
       candidates.push_back(aligner.align(problem, {SE3d{}, state.gain, state.offset}, top));
 
     if (!known)

@@ -17,6 +17,7 @@
 #include "dot/pipeline/camera_motion.hpp"
 #include "dot/pipeline/depth_learning.hpp"
 #include "dot/pipeline/discovery.hpp"
+#include "dot/pipeline/frame_history.hpp"
 #include "dot/pipeline/options.hpp"
 #include "dot/pipeline/track.hpp"
 #include "dot/pipeline/validate.hpp"
@@ -54,6 +55,15 @@ class Dot {
   /// Labels the objects of one frame. The result is valid until the next call.
   /// @throws std::invalid_argument naming the bad field of `frame`; nothing has changed then.
   const Result& track(const Frame& frame);
+
+  /// Masks of an earlier frame, given to `track` without, that arrive only now: a network may take longer than a frame.
+  /// They are carried to the present with all that has been measured since, and show in the next result; the last one
+  /// is not changed. They come in the order of their frames, from after the last that was segmented, and at most
+  /// Options::mask.late_seconds late.
+  /// @param frame_id Frame::id; the newest, if several frames have it.
+  /// @throws std::invalid_argument naming the bad field, or frame_id when it is none of these frames; nothing has
+  /// changed then.
+  void submit_masks(std::uint64_t frame_id, const Masks& masks);
 
   /// Forgets all frames and objects; keeps buffers and never reuses an id.
   void reset();
@@ -94,8 +104,8 @@ class Dot {
   void build(const Frame& frame);
   void camera_motion(const Frame& frame);
   void predict_tracks();
-  void warp_outline(TrackT& object, const SE3d& T_cur_outline);
-  void read_masks(const Frame& frame);
+  void warp_outline(TrackT& object, const SE3d& T_frame_outline, const Image<float>& inverse_depth);
+  void read_masks(const Masks& masks, const Image<float>& inverse_depth);
   void discover();
   Noise bounded_noise() const;
   void absorb();
@@ -107,7 +117,7 @@ class Dot {
   void follow(TrackT& object);
   KnownVelocity known_velocity(const TrackT& object, const ObjectReference& r) const;
   std::vector<SE3d> starts(const TrackT& object, const ObjectReference& reference);
-  Vector3<double> anchor(const Mask& mask) const;
+  Vector3<double> anchor(const Mask& mask, const Image<float>& inverse_depth) const;
   void advance(TrackT& object);
   void match(const std::vector<TrackT*>& tracks);
   void match(const std::vector<TrackT*>& tracks, bool discovered);
@@ -117,9 +127,17 @@ class Dot {
   void start_tracks();
   void decide(TrackT& object);
   void place_masks();
+  void take_outline(TrackT& object, const Image<float>& inverse_depth);
+  std::vector<TrackT*> far_to_near();
+  void paint(const std::vector<TrackT*>& order, Image<std::uint32_t>& ids) const;
   void label();
   double depth_tolerance(double q) const;
   void make_references();
+  Reason make_reference(const Selector<Camera, Noise>& select, const Mask& mask, const Vector3<double>& centre,
+                        ObjectReference& r) const;
+  void await_masks(const Frame& frame);
+  SE3d T_cur_then(const TrackT& object, const PastFrame& then) const;
+  void adopt(TrackT& object, PastFrame& then);
   void write_result(const Frame& frame);
   void take_time(Stage stage);
 
@@ -147,6 +165,7 @@ class Dot {
   bool segmented_ = false;
   SegmentedFrame segmented_frame_;  ///< the last one
   SE3d T_cur_segmented_;            ///< camera motion since
+  FrameHistory history_;
   Image<std::uint8_t> nearer_;      ///< where objects nearer than the one being followed were found
 
   Image<std::uint8_t> labels_;
@@ -167,5 +186,6 @@ DOT_END_NAMESPACE
 
 #include "dot/pipeline/impl/dot.hpp"
 #include "dot/pipeline/impl/dot_discovery.hpp"
+#include "dot/pipeline/impl/dot_late_masks.hpp"
 #include "dot/pipeline/impl/dot_masks.hpp"
 #include "dot/pipeline/impl/dot_objects.hpp"

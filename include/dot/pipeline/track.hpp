@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <deque>
 
 #include "dot/mask/template.hpp"
 #include "dot/mask/warp.hpp"
 #include "dot/pipeline/object_motion.hpp"
+#include "dot/pipeline/object_path.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -36,10 +39,12 @@ struct Track {
   double support = 0;              ///< of those, share of the mask that contradicts a standing scene; smoothed
   bool visible = false;
   bool contradicted = false;  ///< the last segmentation did not show it where it should be seen
+  bool unplaced = false;      ///< started by the mask of an earlier frame, and no fit has told where it is by now
 
   // Its motion.
   std::deque<ObjectReference> references;     ///< newest first
   Reason no_reference = Reason::NoReference;  ///< why the last frame added none
+  ObjectPath path;                            ///< since the frames whose masks may still come
   SE3d T_o_predicted;                         ///< constant velocity, previous camera's axes
   SE3d T_o;                                   ///< what carries points and outline on: as fitted, else as predicted
   SE3d T_o_last;                              ///< last accepted, seen from the newest camera: the prediction
@@ -58,6 +63,14 @@ struct Track {
   double size = 0;                                     ///< metres: root of the largest area that it has shown
   double last_seen = 0;                                ///< timestamp
   bool lost = false;     ///< to be dropped before the next frame
+
+  /// m/s, newest camera's axes; zero unless it rather moves than stands.
+  Vector3<double> expected_velocity() const {
+    return state == State::Moving || p_moving > 0.5 ? velocity : Vector3<double>(Vector3<double>::Zero());
+  }
+
+  /// Its largest area so far. @param area pixels. @param pixel metres that one spans at its depth.
+  void grow_to(int area, double pixel) { size = std::max(size, std::sqrt(1.0 * area) * pixel); }
 
   /// 1/m; nearer objects are followed first and painted last.
   double inverse_depth() const {

@@ -90,6 +90,15 @@ class Dot {
     bool rate_known = false;
     bool known() const { return status == CameraStatus::Tracked || status == CameraStatus::FromHost; }
   };
+  /// A frame without segmentation, whose masks may still come.
+  struct Past {
+    std::uint64_t id = 0;  ///< the caller's
+    Current frame;
+    CameraState camera;
+    ObjectReference since;     ///< what has moved since; of no object and without points
+    bool camera_known = true;  ///< its motion, in every frame since
+    double timestamp() const { return frame.timestamp; }
+  };
   struct Observed {
     std::uint32_t instance_id = 0;
     Mask mask;
@@ -104,6 +113,7 @@ class Dot {
   void build(const Frame& frame);
   void camera_motion(const Frame& frame);
   void predict_tracks();
+  void predict(TrackT& t);
   void warp_outline(TrackT& object, const SE3d& T_frame_outline, const Image<float>& inverse_depth);
   void read_masks(const Masks& masks, const Image<float>& inverse_depth);
   void discover();
@@ -113,6 +123,7 @@ class Dot {
   bool stands(const TrackT& t) const { return t.candidate && t.state == State::Static; }
   void confirm(TrackT& object);
   void support(TrackT& object);
+  std::vector<TrackT*> all_tracks();
   void associate();
   void follow(TrackT& object);
   KnownVelocity known_velocity(const TrackT& object, const ObjectReference& r) const;
@@ -123,7 +134,7 @@ class Dot {
   void match(const std::vector<TrackT*>& tracks, bool discovered);
   void give(Observed& o, TrackT& t);
   void find_again();
-  void follow_and_decide();
+  void follow_and_decide(std::vector<TrackT*> tracks);
   void start_tracks();
   void decide(TrackT& object);
   void place_masks();
@@ -132,12 +143,17 @@ class Dot {
   void paint(const std::vector<TrackT*>& order, Image<std::uint32_t>& ids) const;
   void label();
   double depth_tolerance(double q) const;
+  Selector<Camera, Noise> selector(const Current& frame) const {
+    return {camera_, depth_noise, frame.pyramid, frame.inverse_depth().view(), options_.selection};
+  }
   void make_references();
+  void add_reference(const Selector<Camera, Noise>& select, TrackT& object);
   Reason make_reference(const Selector<Camera, Noise>& select, const Mask& mask, const Vector3<double>& centre,
                         ObjectReference& r) const;
   void await_masks(const Frame& frame);
-  SE3d T_cur_then(const TrackT& object, const PastFrame& then) const;
-  void adopt(TrackT& object, PastFrame& then);
+  SE3d T_cur_then(const TrackT& object, const Past& then) const;
+  void adopt(TrackT& object, const Past& then);
+  void catch_up(const std::vector<TrackT*>& started, double start);
   void write_result(const Frame& frame);
   void take_time(Stage stage);
 
@@ -165,7 +181,7 @@ class Dot {
   bool segmented_ = false;
   SegmentedFrame segmented_frame_;  ///< the last one
   SE3d T_cur_segmented_;            ///< camera motion since
-  FrameHistory history_;
+  FrameHistory<Past> history_;
   Image<std::uint8_t> nearer_;      ///< where objects nearer than the one being followed were found
 
   Image<std::uint8_t> labels_;

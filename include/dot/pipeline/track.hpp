@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <deque>
 
@@ -39,7 +37,6 @@ struct Track {
   double support = 0;              ///< of those, share of the mask that contradicts a standing scene; smoothed
   bool visible = false;
   bool contradicted = false;  ///< the last segmentation did not show it where it should be seen
-  bool unplaced = false;      ///< started by the mask of an earlier frame, and no fit has told where it is by now
 
   // Its motion.
   std::deque<ObjectReference> references;     ///< newest first
@@ -68,9 +65,6 @@ struct Track {
   Vector3<double> expected_velocity() const {
     return state == State::Moving || p_moving > 0.5 ? velocity : Vector3<double>(Vector3<double>::Zero());
   }
-
-  /// Its largest area so far. @param area pixels. @param pixel metres that one spans at its depth.
-  void grow_to(int area, double pixel) { size = std::max(size, std::sqrt(1.0 * area) * pixel); }
 
   /// 1/m; nearer objects are followed first and painted last.
   double inverse_depth() const {

@@ -59,7 +59,7 @@ const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame)
   if (options_.discover_unknown) discover();  // what moves in the background, as further masks
   associate();                                // network masks to tracks; nothing to do without
   take_time(Stage::Masks);
-  follow_and_decide();  // Algorithm 1: T_o of each object, nearest first, and its state
+  follow_and_decide(all_tracks());  // Algorithm 1: T_o of each object, nearest first, and its state
   take_time(Stage::Objects);
   place_masks();  // warped by T_c T_o; new objects
   label();
@@ -150,9 +150,15 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+auto Dot<Camera, Classifier, Noise, Aligner>::all_tracks() -> std::vector<TrackT*> {
+  std::vector<TrackT*> all;
+  for (TrackT& t : tracks_) all.push_back(&t);
+  return all;
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
-  const Selector<Camera, Noise> select{camera_, depth_noise, current_.pyramid, current_.inverse_depth().view(),
-                                       options_.selection};
+  const Selector<Camera, Noise> select = selector(current_);
   // Background: what no object covers, with a margin for ragged outlines.
   blocked_.resize(ids_.width(), ids_.height());
   for (int y = 0; y < ids_.height(); ++y) {
@@ -179,29 +185,28 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
     T_cur_background_ = {};
   }
 
-  for (TrackT& object : tracks_) {
-    while (!object.references.empty() &&
-           current_.timestamp - object.references.back().timestamp > options_.object.reference_seconds + 1e-6)
-      object.references.pop_back();
-    if (stands(object)) continue;
-    // Where its outline is not known to lie on it, the points that it has are better than those under it.
-    if (object.unplaced && !object.references.empty()) continue;
-    const Vector3<double> centre = anchor(object.mask, current_.inverse_depth());
-    if (object.visible && centre.z() > 0) {
-      object.position = centre;
-      object.grow_to(object.mask.area, centre.z() / camera_.intrinsics().fx);
-    }
-    if (!object.visible) {
-      object.no_reference = Reason::Hidden;
-      continue;
-    }
-    ObjectReference r;
-    r.timestamp = current_.timestamp;
-    if (const Reason reason = make_reference(select, object.mask, centre, r); reason != Reason::None)
-      object.no_reference = reason;
-    else
-      object.references.push_front(std::move(r));
+  for (TrackT& object : tracks_) add_reference(select, object);
+}
+
+/// The object as its mask shows it in this frame.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::add_reference(const Selector<Camera, Noise>& select, TrackT& object) {
+  while (!object.references.empty() &&
+         current_.timestamp - object.references.back().timestamp > options_.object.reference_seconds + 1e-6)
+    object.references.pop_back();
+  if (stands(object)) return;
+  const Vector3<double> centre = anchor(object.mask, current_.inverse_depth());
+  if (object.visible && centre.z() > 0) {
+    object.position = centre;
+    object.size = std::max(object.size, std::sqrt(1.0 * object.mask.area) * centre.z() / camera_.intrinsics().fx);
   }
+  ObjectReference r;
+  r.timestamp = current_.timestamp;
+  const Reason reason = object.visible ? make_reference(select, object.mask, centre, r) : Reason::Hidden;
+  if (reason == Reason::None)
+    object.references.push_front(std::move(r));
+  else
+    object.no_reference = reason;
 }
 
 /// Fills in what a mask shows of an object. @return why that is not enough, None if it is.

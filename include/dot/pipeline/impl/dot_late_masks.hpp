@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -13,7 +15,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Keeps the frame as long as its masks may come: until those of a later one have.
+/// Keeps the frame as long as its masks may come: until those of a later one have, or are too late.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::await_masks(const Frame& frame) {
   const double oldest = current_.timestamp - options_.mask.late_seconds - 1e-6;
@@ -23,29 +25,29 @@ void Dot<Camera, Classifier, Noise, Aligner>::await_masks(const Frame& frame) {
     for (TrackT& t : tracks_) t.path.clear();
     return;
   }
-  PastFrame& newest = history_.add();
+  Past& newest = history_.add();
   newest.id = frame.id;
+  newest.frame.timestamp = current_.timestamp;  // the next frame needs it as well
+  newest.frame.dt = current_.dt;
+  std::swap(newest.frame.pyramid, current_.pyramid);
+  std::swap(newest.frame.depth, current_.depth);
+  newest.camera = camera_state_;
+  newest.since = {};
   newest.since.timestamp = current_.timestamp;
-  std::swap(newest.image, current_.pyramid);
-  std::swap(newest.inverse_depth, current_.depth.levels[0]);
+  newest.camera_known = true;
   for (TrackT& t : tracks_) t.path.add(current_.timestamp, oldest);
-}
-
-/// Motion of the object's points since a past frame, the camera's and its own composed.
-template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-SE3d Dot<Camera, Classifier, Noise, Aligner>::T_cur_then(const TrackT& object, const PastFrame& then) const {
-  return object.path.since(then.since.timestamp, current_.timestamp, object.expected_velocity()) * then.since.T_cur_ref;
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_id, const Masks& masks) {
   validate("masks", masks, camera_.width(), camera_.height());
-  PastFrame* const found = history_.find(frame_id);
-  if (!found)
-    bad_field("frame_id", std::to_string(frame_id) +
-                              " is none of the frames after the last segmentation and of the last " +
-                              std::to_string(options_.mask.late_seconds) + " s");
-  PastFrame& then = *found;
+  const auto newest =
+      std::find_if(std::make_reverse_iterator(history_.end()), std::make_reverse_iterator(history_.begin()),
+                   [&](const Past& p) { return p.id == frame_id; });
+  if (newest == std::make_reverse_iterator(history_.begin()))
+    bad_field("frame_id", std::to_string(frame_id) + " is none of the frames since the last segmentation, up to " +
+                              std::to_string(options_.mask.late_seconds) + " s ago");
+  Past& then = *newest;
 
   // The tracks as they were in that frame, by what is known of their motions now.
   tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), [](const TrackT& t) { return t.lost; }), tracks_.end());
@@ -53,12 +55,13 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
     const SE3d T_then_cur = T_cur_then(t, then).inverse();
     t.observed = nullptr;
     t.position = T_then_cur * t.position;
-    warp_outline(t, T_then_cur * t.T_cur_outline, then.inverse_depth);
+    warp_outline(t, T_then_cur * t.T_cur_outline, then.frame.inverse_depth());
   }
   observed_.clear();
-  read_masks(masks, then.inverse_depth);
+  read_masks(masks, then.frame.inverse_depth());
   associate();
   find_again();
+  const std::size_t known = tracks_.size();
   start_tracks();
 
   for (TrackT& t : tracks_) {
@@ -66,16 +69,25 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
     t.visible = t.observed || t.mask.area >= options_.mask.min_pixels;
   }
   paint(far_to_near(), segmented_frame_.ids);
-  for (TrackT& t : tracks_) adopt(t, then);
+  segmented_frame_.inverse_depth = then.frame.inverse_depth();
   T_cur_segmented_ = then.since.T_cur_ref;
-  const double timestamp = then.since.timestamp;
-  std::swap(segmented_frame_.inverse_depth, then.inverse_depth);
-  history_.drop_before(timestamp + 1e-9);
+
+  std::vector<TrackT*> started = all_tracks();
+  for (std::size_t i = 0; i < known; ++i) adopt(*started[i], then);
+  started.erase(started.begin(), started.begin() + static_cast<std::ptrdiff_t>(known));
+  if (!started.empty()) catch_up(started, then.timestamp());
+  history_.drop_before(then.timestamp() + 1e-9);
 }
 
-/// Takes a track with its new mask, or without, from a past frame back to the present.
+/// Motion of the object's points since a past frame, the camera's and its own composed.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::adopt(TrackT& object, PastFrame& then) {
+SE3d Dot<Camera, Classifier, Noise, Aligner>::T_cur_then(const TrackT& object, const Past& then) const {
+  return object.path.since(then.timestamp(), current_.timestamp, object.expected_velocity()) * then.since.T_cur_ref;
+}
+
+/// Takes a track with its new mask, or without, from a past frame to the present.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::adopt(TrackT& object, const Past& then) {
   const SE3d T = T_cur_then(object, then);
   if (!object.observed) {
     object.outline_is_newest = false;
@@ -83,34 +95,53 @@ void Dot<Camera, Classifier, Noise, Aligner>::adopt(TrackT& object, PastFrame& t
     object.position = T * object.position;
     return;
   }
-  take_outline(object, then.inverse_depth);
+  take_outline(object, then.frame.inverse_depth());
   object.T_cur_outline = T;
   object.outline_is_newest = then.camera_known;
-  object.last_seen = std::max(object.last_seen, then.since.timestamp);
-  if (object.observed_centre.z() > 0) {
-    object.position = object.observed_centre;
-    object.grow_to(object.observed->area, object.position.z() / camera_.intrinsics().fx);
-  }
-  object.position = T * object.position;
+  object.last_seen = std::max(object.last_seen, then.timestamp());
+  object.position = T * (object.observed_centre.z() > 0 ? object.observed_centre : object.position);
 
-  // Points of that frame: a new object has no others, and those under its true mask are better than under a carried
-  // one.
+  // Points under the mask itself are better than those under one that was carried there.
   ObjectReference r = then.since;
-  const Selector<Camera, Noise> select{camera_, depth_noise, then.image, then.inverse_depth.view(), options_.selection};
-  const Reason reason = make_reference(select, *object.observed, object.observed_centre, r);
-  object.observed = nullptr;
-  if (reason != Reason::None) {
-    if (object.references.empty()) object.no_reference = reason;
-    return;
-  }
-  object.unplaced = object.references.empty() && r.intervals > 0;
   r.T_obj_cur_ref = T;
+  if (make_reference(selector(then.frame), *object.observed, object.observed_centre, r) != Reason::None) return;
   const auto place = std::find_if(object.references.begin(), object.references.end(),
                                   [&](const ObjectReference& other) { return other.timestamp <= r.timestamp; });
   if (place != object.references.end() && place->timestamp == r.timestamp)
     *place = std::move(r);
   else
     object.references.insert(place, std::move(r));
+}
+
+/// Leads new tracks from the frame whose masks started them through all later ones, as if the masks had come in time.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::catch_up(const std::vector<TrackT*>& started, double start) {
+  const auto swap_in = [this](Past& p) {
+    std::swap(current_, p.frame);
+    std::swap(camera_state_, p.camera);
+  };
+  for (Past& p : history_) {
+    if (p.timestamp() < start) continue;
+    const bool first = p.timestamp() == start;
+    swap_in(p);
+    if (!first) {
+      for (TrackT* t : started) predict(*t);
+      follow_and_decide(started);
+    }
+    for (TrackT* t : started) {
+      if (first) {
+        take_outline(*t, current_.inverse_depth());
+        t->outline_is_newest = true;
+      } else {
+        t->mask = t->predicted.mask;
+        t->visible = t->mask.area >= options_.mask.min_pixels;
+      }
+      if (first || (t->visible && t->fit.ok())) t->last_seen = current_.timestamp;
+      add_reference(selector(current_), *t);
+      t->path.add(current_.timestamp, start);
+    }
+    swap_in(p);
+  }
 }
 
 DOT_END_NAMESPACE

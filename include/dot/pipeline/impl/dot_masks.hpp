@@ -17,18 +17,25 @@ void Dot<Camera, Classifier, Noise, Aligner>::predict_tracks() {
   tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), [](const TrackT& t) { return t.lost; }), tracks_.end());
   const CameraState& c = camera_state_;
   T_cur_segmented_ = c.T_cur_prev * T_cur_segmented_;
-  history_.advance(c.T_cur_prev, c.covariance, c.alignment.state.gain, c.alignment.state.offset, c.known());
-  for (TrackT& t : tracks_) {
-    t.segmented = false;
-    t.observed = nullptr;
-    t.outline_is_newest &= c.known();
-    for (ObjectReference& r : t.references)
-      r.advance(c.T_cur_prev, c.covariance, c.alignment.state.gain, c.alignment.state.offset);
-    t.T_o_predicted = SE3d::translation(t.expected_velocity() * current_.dt);
-    t.position_before = t.position;
-    t.position = c.T_cur_prev * t.T_o_predicted * t.position;
-    warp_outline(t, c.T_cur_prev * t.T_o_predicted * t.T_cur_outline, current_.inverse_depth());
+  for (Past& p : history_) {
+    p.since.advance(c.T_cur_prev, c.covariance, c.alignment.state.gain, c.alignment.state.offset);
+    p.camera_known &= c.known();
   }
+  for (TrackT& t : tracks_) predict(t);
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::predict(TrackT& t) {
+  const CameraState& c = camera_state_;
+  t.segmented = false;
+  t.observed = nullptr;
+  t.outline_is_newest &= c.known();
+  for (ObjectReference& r : t.references)
+    r.advance(c.T_cur_prev, c.covariance, c.alignment.state.gain, c.alignment.state.offset);
+  t.T_o_predicted = SE3d::translation(t.expected_velocity() * current_.dt);
+  t.position_before = t.position;
+  t.position = c.T_cur_prev * t.T_o_predicted * t.position;
+  warp_outline(t, c.T_cur_prev * t.T_o_predicted * t.T_cur_outline, current_.inverse_depth());
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -74,9 +81,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::read_masks(const Masks& masks, con
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::associate() {
-  std::vector<TrackT*> all;
-  for (TrackT& t : tracks_) all.push_back(&t);
-  match(all);
+  match(all_tracks());
   if (options_.discover_unknown) absorb();
 }
 
@@ -164,7 +169,6 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
       take_outline(t, current_.inverse_depth());
       t.T_cur_outline = {};
       t.outline_is_newest = true;
-      t.unplaced = false;
       t.visible = true;
     } else {
       if (segmented_) t.outline_is_newest = false;

@@ -13,9 +13,7 @@
 DOT_BEGIN_NAMESPACE
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::follow_and_decide() {
-  std::vector<TrackT*> order;
-  for (TrackT& t : tracks_) order.push_back(&t);
+void Dot<Camera, Classifier, Noise, Aligner>::follow_and_decide(std::vector<TrackT*> order) {
   std::sort(order.begin(), order.end(), [](const TrackT* l, const TrackT* r) {
     const double a = l->inverse_depth(), b = r->inverse_depth();
     return a != b ? a > b : l->id < r->id;
@@ -207,7 +205,6 @@ void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object) {
   object.path.advance(T_c, T_outline);
   // The same motion seen from this camera: the prediction for the next interval.
   object.has_motion = fitted;
-  if (fitted) object.unplaced = false;
   if (fitted) object.T_o_last = T_c * object.fit.T_o * T_c.inverse();
   warp_outline(object, object.T_cur_outline, current_.inverse_depth());
 }

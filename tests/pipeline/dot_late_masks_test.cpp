@@ -176,6 +176,30 @@ TEST(LateMasks, ReplaceTheOutline) {
   }
 }
 
+// Cars in a row: by now the second is where the first was in the frame of the masks.
+TEST(LateMasks, TellCarsInARowApart) {
+  Film<> film;
+  film.add(parked, straight({-3.2, 1.3, 8}, {4.2, 0, 0}));
+  film.add(mover, straight({-5.3, 1.3, 8}, {4.2, 0, 0}));
+  film.edit = [](int i, Frame& frame) {
+    if (i > 0) frame.masks.reset();
+  };
+  Tracker tracker(small_camera());
+  std::uint32_t first = 0, second = 0;
+  Image<std::uint32_t> late;
+  for (int i = 0; i < 11; ++i) {
+    const Result& result = film.next(tracker);
+    if (i == 0) first = object_on(result, film.truth().ids, parked)->id;
+    if (i == 0) second = object_on(result, film.truth().ids, mover)->id;
+    if (i == 4) late = film.truth().ids;
+    if (i == 9) LateNetwork::submit(tracker, 4, late);
+    if (i < 10) continue;
+    EXPECT_EQ(result.objects.size, 2u);
+    EXPECT_GT(overlap(film.truth().ids, parked, result.ids, first).iou(), 0.85);
+    EXPECT_GT(overlap(film.truth().ids, mover, result.ids, second).iou(), 0.85);
+  }
+}
+
 // The last one that a mask showed is the second frame; a network that looked at the fifth did not see it.
 TEST(LateMasks, EndWhatTheyDoNotShow) {
   Options options;

@@ -153,6 +153,7 @@ class Dot {
   void await_masks(const Frame& frame);
   SE3d T_cur_then(const TrackT& object, const Past& then) const;
   void adopt(TrackT& object, const Past& then);
+  void renew_reference(TrackT& object, const Past& then, const Mask& mask, const Vector3<double>& centre);
   void catch_up(const std::vector<TrackT*>& started, double start);
   void write_result(const Frame& frame);
   void take_time(Stage stage);

@@ -128,8 +128,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
   } else {
     const SE3d T_prev_background = T_cur_background_;
     for (SE3d& T : predicted) T = T * T_prev_background;
-    c.alignment = camera_estimator.estimate(background_, current_.pyramid, camera_, predicted,
-                                            c.rate_known || frame.camera_prior.has_value(), options_.camera.search_speed * current_.dt, aligner);
+    c.alignment = camera_estimator.estimate(background_, current_.pyramid, camera_, predicted, c.rate_known,
+                                            options_.camera.search_speed * current_.dt, aligner);
     const Alignment& a = c.alignment;
     const bool ok = a.covariance.allFinite() && a.state.T.t.allFinite() && a.phi >= options_.camera.min_phi &&
                     a.seen >= options_.camera.min_points && a.inliers >= options_.camera.min_inliers * a.seen;

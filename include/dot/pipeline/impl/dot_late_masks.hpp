@@ -101,10 +101,22 @@ void Dot<Camera, Classifier, Noise, Aligner>::adopt(TrackT& object, const Past& 
   object.last_seen = std::max(object.last_seen, then.timestamp());
   object.position = T * (object.observed_centre.z() > 0 ? object.observed_centre : object.position);
 
-  // Points under the mask itself are better than those under one that was carried there.
+  // Points under the new mask are better than those under the one that was carried on.
+  renew_reference(object, then, *object.observed, object.observed_centre);
+  for (const Past& p : history_) {
+    if (p.timestamp() <= then.timestamp()) continue;
+    warp_outline(object, T_cur_then(object, p).inverse() * T, p.frame.inverse_depth());
+    renew_reference(object, p, object.predicted.mask, anchor(object.predicted.mask, p.frame.inverse_depth()));
+  }
+}
+
+/// Adds or replaces the reference of a past frame.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::renew_reference(TrackT& object, const Past& then, const Mask& mask,
+                                                              const Vector3<double>& centre) {
   ObjectReference r = then.since;
-  r.T_obj_cur_ref = T;
-  if (make_reference(selector(then.frame), *object.observed, object.observed_centre, r) != Reason::None) return;
+  r.T_obj_cur_ref = T_cur_then(object, then);
+  if (make_reference(selector(then.frame), mask, centre, r) != Reason::None) return;
   const auto place = std::find_if(object.references.begin(), object.references.end(),
                                   [&](const ObjectReference& other) { return other.timestamp <= r.timestamp; });
   if (place != object.references.end() && place->timestamp == r.timestamp)

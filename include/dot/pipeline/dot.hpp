@@ -182,7 +182,7 @@ class Dot {
   bool segmented_ = false;
   SegmentedFrame segmented_frame_;  ///< the last one
   SE3d T_cur_segmented_;            ///< camera motion since
-  FrameHistory<Past> history_;
+  FrameHistory<Past> history_;      ///< whose masks may still come
   Image<std::uint8_t> nearer_;      ///< where objects nearer than the one being followed were found
 
   Image<std::uint8_t> labels_;

@@ -41,13 +41,13 @@ void Dot<Camera, Classifier, Noise, Aligner>::await_masks(const Frame& frame) {
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_id, const Masks& masks) {
   validate("masks", masks, camera_.width(), camera_.height());
-  const auto newest =
+  const auto found =
       std::find_if(std::make_reverse_iterator(history_.end()), std::make_reverse_iterator(history_.begin()),
                    [&](const Past& p) { return p.id == frame_id; });
-  if (newest == std::make_reverse_iterator(history_.begin()))
+  if (found == std::make_reverse_iterator(history_.begin()))
     bad_field("frame_id", std::to_string(frame_id) + " is none of the frames since the last segmentation, up to " +
                               std::to_string(options_.mask.late_seconds) + " s ago");
-  Past& then = *newest;
+  Past& then = *found;
 
   // The tracks as they were in that frame, by what is known of their motions now.
   tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), [](const TrackT& t) { return t.lost; }), tracks_.end());

@@ -64,11 +64,11 @@ TEST(CameraPrior, FindsAMotionThatIsNotFoundWithoutIt) {
   EXPECT_LT(error(*result, film), 0.005);
 }
 
-// Odometry slips; constant velocity is tried as well.
+// Odometry slips; constant velocity is tried as well. The last interval's 6 m, 90 pixels on the wall, are too far from
+// standing still.
 TEST(CameraPrior, DoesNoHarmWhenItIsWrong) {
   Film<> film;
-  film.camera_path = straight({0, 0, 0}, {0.5, 0, 2});
-  film.add(1, straight({1.6, 1.3, 8}));
+  film.camera_path = [](double t) { return SE3d::translation(Vector3<double>(40 * t * t, 0, 0)); };
   film.edit = [](int, Frame& frame) {
     Vector6<double> wrong = Vector6<double>::Zero();
     wrong[4] = 0.6;
@@ -76,10 +76,10 @@ TEST(CameraPrior, DoesNoHarmWhenItIsWrong) {
   };
   Tracker tracker(small_camera());
   film.next(tracker);
-  for (int i = 1; i < 5; ++i) {
+  for (int i = 1; i < 9; ++i) {
     const Result& result = film.next(tracker);
     EXPECT_EQ(result.camera.status, CameraStatus::Tracked) << i;
-    EXPECT_LT(error(result, film), 0.005) << i;
+    EXPECT_LT(error(result, film), 0.02) << i;
   }
 }
 

@@ -333,8 +333,9 @@ TEST(LateMasks, AreAcceptedOnce) {
   LateNetwork::submit(tracker, 2, film.seen().ids);
   EXPECT_THROW(LateNetwork::submit(tracker, 2, film.seen().ids), std::invalid_argument);
   EXPECT_NO_THROW(LateNetwork::submit(tracker, 3, film.seen().ids));
+  film.next(tracker);
   tracker.reset();
-  EXPECT_THROW(LateNetwork::submit(tracker, 3, film.seen().ids), std::invalid_argument);
+  EXPECT_THROW(LateNetwork::submit(tracker, 4, film.seen().ids), std::invalid_argument);
 }
 
 }  // namespace

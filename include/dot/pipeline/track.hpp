@@ -8,6 +8,7 @@
 #include "dot/mask/template.hpp"
 #include "dot/mask/warp.hpp"
 #include "dot/pipeline/object_motion.hpp"
+#include "dot/pipeline/object_path.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -40,6 +41,7 @@ struct Track {
   // Its motion.
   std::deque<ObjectReference> references;     ///< newest first
   Reason no_reference = Reason::NoReference;  ///< why the last frame added none
+  ObjectPath path;                            ///< since the frames whose masks may still come
   SE3d T_o_predicted;                         ///< constant velocity, previous camera's axes
   SE3d T_o;                                   ///< what carries points and outline on: as fitted, else as predicted
   SE3d T_o_last;                              ///< last accepted, seen from the newest camera: the prediction
@@ -58,6 +60,11 @@ struct Track {
   double size = 0;                                            ///< metres: root of the largest area that it has shown
   double last_seen = 0;                                       ///< timestamp
   bool lost = false;                                          ///< to be dropped before the next frame
+
+  /// m/s, newest camera's axes; zero unless it rather moves than stands.
+  Vector3<double> expected_velocity() const {
+    return state == State::Moving || p_moving > 0.5 ? velocity : Vector3<double>(Vector3<double>::Zero());
+  }
 
   /// 1/m; nearer objects are followed first and painted last.
   double inverse_depth() const {

@@ -13,9 +13,7 @@
 DOT_BEGIN_NAMESPACE
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::follow_and_decide() {
-  std::vector<TrackT*> order;
-  for (TrackT& t : tracks_) order.push_back(&t);
+void Dot<Camera, Classifier, Noise, Aligner>::follow_and_decide(std::vector<TrackT*> order) {
   std::sort(order.begin(), order.end(), [](const TrackT* l, const TrackT* r) {
     const double a = l->inverse_depth(), b = r->inverse_depth();
     return a != b ? a > b : l->id < r->id;
@@ -83,6 +81,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     if (i == 0) object.fit = fit;
     if (!fit.ok()) continue;
     decide_by(reference, fit);
+    if (reference.intervals > 1) object.path.forget_after(reference.timestamp);
     object.T_o = T_c.inverse() * reference.T_cur_ref * fit.T_o * reference.T_obj_cur_ref.inverse();
     object.fit = object_estimator.over_last_interval(fit, T_c.inverse() * reference.T_cur_ref, current_.dt);
   }
@@ -151,9 +150,10 @@ std::vector<SE3d> Dot<Camera, Classifier, Noise, Aligner>::starts(const TrackT& 
   return out;
 }
 
-/// Centre of a mask at its median depth, this camera's axes; zero where it has no depth.
+/// Centre of a mask at its median depth, axes of its frame's camera; zero where it has no depth.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask) const {
+Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask,
+                                                                const Image<float>& inverse_depth) const {
   std::vector<float> q;
   double u = 0, v = 0;
   for (int y = 0; y < mask.height(); ++y)
@@ -161,7 +161,7 @@ Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask
       if (!mask.pixels(x, y)) continue;
       u += mask.x + x;
       v += mask.y + y;
-      const float value = current_.inverse_depth()(mask.x + x, mask.y + y);
+      const float value = inverse_depth(mask.x + x, mask.y + y);
       if (value > 0) q.push_back(value);
     }
   if (q.size() < 10) return Vector3<double>::Zero();
@@ -199,11 +199,13 @@ void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object) {
   const bool fitted = object.fit.ok();
   for (ObjectReference& r : object.references) r.T_obj_cur_ref = T_c * object.T_o * r.T_obj_cur_ref;
   object.position = T_c * object.T_o * object.position_before;
-  object.T_cur_outline = T_c * (object.state == State::Static ? SE3d{} : object.T_o) * object.T_cur_outline;
+  const SE3d T_outline = object.state == State::Static ? SE3d{} : object.T_o;
+  object.T_cur_outline = T_c * T_outline * object.T_cur_outline;
+  object.path.advance(T_c, T_outline);
   // The same motion seen from this camera: the prediction for the next interval.
   object.has_motion = fitted;
   if (fitted) object.T_o_last = T_c * object.fit.T_o * T_c.inverse();
-  warp_outline(object, object.T_cur_outline);
+  warp_outline(object, object.T_cur_outline, current_.inverse_depth());
 }
 
 DOT_END_NAMESPACE

@@ -35,7 +35,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::predict(TrackT& t) {
   t.T_o_predicted = SE3d::translation(t.expected_velocity() * current_.dt);
   t.position_before = t.position;
   t.position = c.T_cur_prev * t.T_o_predicted * t.position;
-  warp_outline(t, c.T_cur_prev * t.T_o_predicted * t.T_cur_outline, current_.inverse_depth());
+  const SE3d T = c.T_cur_prev * t.T_o_predicted * t.T_cur_outline;
+  warp_outline(t, T, current_.inverse_depth());
+  t.predicted_by = T;
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -44,6 +46,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::warp_outline(TrackT& object, const
   const ImageView<const float> trim_by = object.outline.measured ? inverse_depth.view() : ImageView<const float>{};
   warp(object.outline, T_frame_outline, camera_, trim_by, options_.mask.depth_tolerance, warp_workspace_,
        object.predicted);
+  object.predicted_by.reset();
 }
 
 /// The instances of a frame's segmentation, whichever way they came.

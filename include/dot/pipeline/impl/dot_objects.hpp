@@ -156,19 +156,21 @@ Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask
                                                                 const Image<float>& inverse_depth) const {
   std::vector<float> q;
   double u = 0, v = 0;
-  for (int y = 0; y < mask.height(); ++y)
-    for (int x = 0; x < mask.width(); ++x) {
+  int n = 0;
+  const int step = mask.area > 4000 ? 2 : 1;  // a quarter of so many pixels tells it as well
+  for (int y = 0; y < mask.height(); y += step)
+    for (int x = 0; x < mask.width(); x += step) {
       if (!mask.pixels(x, y)) continue;
       u += mask.x + x;
       v += mask.y + y;
+      ++n;
       const float value = inverse_depth(mask.x + x, mask.y + y);
       if (value > 0) q.push_back(value);
     }
   if (q.size() < 10) return Vector3<double>::Zero();
   const auto middle = q.begin() + static_cast<std::ptrdiff_t>(q.size() / 2);
   std::nth_element(q.begin(), middle, q.end());
-  return camera_.template unproject<double>(Vector2<double>(u / mask.area, v / mask.area)) /
-         static_cast<double>(*middle);
+  return camera_.template unproject<double>(Vector2<double>(u / n, v / n)) / static_cast<double>(*middle);
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -205,7 +207,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object) {
   // The same motion seen from this camera: the prediction for the next interval.
   object.has_motion = fitted;
   if (fitted) object.T_o_last = T_c * object.fit.T_o * T_c.inverse();
-  warp_outline(object, object.T_cur_outline, current_.inverse_depth());
+  // What is static was predicted by the same motion.
+  const auto& predicted_by = object.predicted_by;
+  const bool same =
+      predicted_by && predicted_by->R == object.T_cur_outline.R && predicted_by->t == object.T_cur_outline.t;
+  if (!same) warp_outline(object, object.T_cur_outline, current_.inverse_depth());
 }
 
 DOT_END_NAMESPACE

@@ -16,7 +16,8 @@ usage: ./dev.sh VERB
 
   demo       build the runner, run it on the sample sequence, show where the pictures are
   test       build everything and run all tests
-  bench      build and run the benchmarks; further arguments go to them, e.g. --benchmark_filter=warp
+  bench      build and run the benchmarks, those beside OpenCV's odometry too; with arguments Google Benchmark's
+             alone, which get them, e.g. --benchmark_filter=warp
   format     format all C++ and C files in place
   lint       formatting, clang-tidy, versions; changes nothing
   versions   check that version.hpp, dot.h, vcpkg.json and CHANGELOG.md name the same version
@@ -92,10 +93,30 @@ run_tests() {
   ctest --test-dir "$build" --output-on-failure -j2 || fail "tests failed; what each of them printed is above"
 }
 
+# bench [OPTION...]: without options all of them, on the sample where they want a sequence; in out/bench what they print
+# and the plots of docs/performance.md.
 bench() {
-  compile dot_bench
-  say "benchmarks"
-  "$build/bench/dot_bench" "$@"
+  need libopencv-contrib-dev
+  compile dot_benchmarks
+  if [ $# -gt 0 ]; then
+    "$build/bench/dot_bench" "$@"
+    return
+  fi
+  local out=$root/out/bench
+  mkdir -p "$out"
+  say "kernels, stages, whole frames"
+  "$build/bench/dot_bench" --benchmark_out="$out/benchmarks.json" --benchmark_out_format=json
+  if [ -x "$build/bench/bench_peer_room" ]; then
+    say "the whole alignment of a new frame beside OpenCV's RgbdOdometry"
+    "$build/bench/bench_peer_room" | tee "$out/peer_room.txt"
+  fi
+  if [ -x "$build/bench/bench_peer_sequence" ]; then
+    say "the whole pipeline, and motions found from nothing, beside OpenCV's RgbdOdometry"
+    "$build/bench/bench_peer_sequence" "$sample" | tee "$out/peer_sequence.txt"
+    "$build/bench/bench_peer_convergence" "$sample" | tee "$out/peer_convergence.txt"
+  fi
+  if command -v python3 >/dev/null; then bench/plots.py "$out" "$out/benchmarks.json" "$out/peer_room.txt"; fi
+  echo "written to $out"
 }
 
 format() {

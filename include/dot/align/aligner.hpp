@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -67,6 +68,8 @@ struct Alignment {
   int inside = 0, seen = 0, occluded = 0, inliers = 0;
   int with_depth = 0, depth_agrees = 0;  ///< seen points with measured depth; those that agree with the prediction
   double depth_scatter = 0;  ///< robust sigma of measured minus predicted inverse depth, 1/m; 0 where there is none
+  /// Share by which the cost of the next best minimum is higher, where several were compared.
+  double margin = std::numeric_limits<double>::infinity();
   int iterations = 0;
   bool converged = false;
 };
@@ -245,6 +248,7 @@ struct DirectAligner {
           break;
         }
         ++a.iterations;
+        a.seen = sums.seen;
         Matrix8 H = Ad.transpose() * sums.H * Ad;
         Vector8 g = Ad.transpose() * sums.g;
         double cost = sums.cost;

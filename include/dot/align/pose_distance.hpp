@@ -11,8 +11,9 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// RMS distance in pixels between the points' places in the image under two poses T_i_j. Of many points some 40 tell.
-/// Infinite where a point comes to lie behind the camera.
+/// RMS distance in pixels between the places in the image under two poses T_i_j of the points that are in it under at
+/// least one. Of many points some 40 tell. Infinite where such a point is behind the camera under the other pose, or
+/// where there is none.
 template <typename Camera>
 double pose_distance(const PointSet& points, const Camera& camera, const SE3d& a, const SE3d& b) {
   const std::size_t n = points.u.size(), step = std::max<std::size_t>(1, n / 40);
@@ -22,11 +23,15 @@ double pose_distance(const PointSet& points, const Camera& camera, const SE3d& a
     const Vector3<double> ray(static_cast<double>(points.x[i]), static_cast<double>(points.y[i]), 1);
     const double q = static_cast<double>(points.q[i]);
     const Vector3<double> A = a.R * ray + q * a.t, B = b.R * ray + q * b.t;
-    if (A.z() < 1e-3 || B.z() < 1e-3) return std::numeric_limits<double>::infinity();
-    sum += (camera.template project<double>(A) - camera.template project<double>(B)).squaredNorm();
+    const bool before_a = A.z() >= 1e-3, before_b = B.z() >= 1e-3;
+    const Vector2<double> p = before_a ? camera.template project<double>(A) : Vector2<double>::Constant(-1);
+    const Vector2<double> r = before_b ? camera.template project<double>(B) : Vector2<double>::Constant(-1);
+    if (!camera.contains(p, 0) && !camera.contains(r, 0)) continue;
+    if (!before_a || !before_b) return std::numeric_limits<double>::infinity();
+    sum += (p - r).squaredNorm();
     ++count;
   }
-  return count ? std::sqrt(sum / count) : 0;
+  return count ? std::sqrt(sum / count) : std::numeric_limits<double>::infinity();
 }
 
 /// Local minima found from several starts: those that lead to the same one, within `kSamePixels`, are one.

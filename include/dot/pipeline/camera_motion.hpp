@@ -22,12 +22,16 @@ DOT_BEGIN_NAMESPACE
 /// starts are refined, each a candidate, and the one of least *redescending* cost is taken, all judged with the same
 /// residual scale: coarse to fine from constant velocity and, before that, from what the host expects; the same on fine
 /// levels only; standing still; and shifts of those along the direction that the points determine least.
+///
+/// Without a velocity to start from, the lowest minimum found may be one of many: on an even road standing still, or a
+/// dash of its markings further, looks nearly as right as the truth. `accepts` then asks for a better correlation, and
+/// that no other motion explains the image about as well.
 struct CameraMotionEstimator {
   CameraSettings settings;
 
   /// @param predicted T_c, the most trusted first, at least one. Unless the motion is `known`, translations up to
   /// `search` metres along the axes are tried as well. @return the alignment; `covariance` is that of the left twist of
-  /// T_c.
+  /// T_c, `margin` that over the next best minimum.
   template <typename Camera, typename Aligner>
   Alignment estimate(const PointSet& points, const Pyramid& image, const Camera& camera,
                      const std::vector<SE3d>& predicted, bool known, double search, Aligner& aligner) const {
@@ -48,8 +52,12 @@ struct CameraMotionEstimator {
     }
     if (predicted.back().log().norm() > 1e-3) add({SE3d{}, first.gain, first.offset}, top);
     if (!known)
-      for (const SE3d& start : searched(problem, search, first, aligner)) add({start, first.gain, first.offset}, fine);
+      for (const SE3d& start : searched(problem, search, first, aligner)) add({start}, std::min(kSearchLevel, top));
 
+    // Few points may agree by chance, and better than any others.
+    const auto sees_few = [&](const Alignment& a) { return a.seen < settings.min_points; };
+    if (!std::all_of(minima.found.begin(), minima.found.end(), sees_few))
+      minima.found.erase(std::remove_if(minima.found.begin(), minima.found.end(), sees_few), minima.found.end());
     const std::size_t unshifted = minima.found.size();
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : minima.found) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, fine));
@@ -61,22 +69,44 @@ struct CameraMotionEstimator {
     return best(problem, candidates, aligner);
   }
 
+  /// Whether to believe what `estimate` found.
+  bool accepts(const Alignment& a, bool known) const {
+    return a.covariance.allFinite() && a.state.T.t.allFinite() && a.seen >= settings.min_points &&
+           a.inliers >= settings.min_inliers * a.seen &&
+           (known ? a.phi >= settings.min_phi
+                  : a.phi >= settings.min_phi_unexpected && a.margin >= settings.min_margin);
+  }
+
  private:
-  /// Of translations along each axis the four that fit best on a middle level, where their steps are a few pixels.
+  static constexpr int kSearchLevel = 2;          ///< where the steps of the search are a few pixels
+  static constexpr std::size_t kSearched = 6;     ///< starts that it gives
+  static constexpr double kAnotherMinimum = 5.0;  ///< pixels between the points' places at this one and at another
+
+  /// Of translations along each axis, at equal exposure since `state` may be anything, the best of those that fit
+  /// better than their neighbours. Sideways up to half the median depth, which leaves little of the image in common;
+  /// along the optical axis, where what is far stays in sight, twice as far.
   template <typename Camera, typename Aligner>
   std::vector<SE3d> searched(const AlignProblem<Camera>& problem, double search, const AlignState& state,
                              Aligner& aligner) const {
-    const int level = std::min({2, problem.points.levels - 1, problem.image.size() - 1});
-    const double sigma = aligner.intensity_sigma(problem, state, level);
-    const double reach = std::min(search, 0.5 * median_depth(problem.points));
+    constexpr int steps = 24;  // to either side
+    const int level = std::min({kSearchLevel, problem.points.levels - 1, problem.image.size() - 1});
+    const double sigma = aligner.intensity_sigma(problem, state, level), depth = median_depth(problem.points);
     std::vector<std::pair<double, SE3d>> found;
-    for (int axis = 0; axis < 3; ++axis)
-      for (int i = -24; i <= 24; ++i) {
-        const SE3d start = SE3d::translation(Vector3<double>::Unit(axis) * reach * i / 24);
-        const double cost = aligner.rank(problem, {start, state.gain, state.offset}, level, sigma);
-        if (i != 0 && std::isfinite(cost)) found.push_back({cost, start});
+    for (int axis = 0; axis < 3; ++axis) {
+      const double reach = std::min(search, (axis == 2 ? 1 : 0.5) * depth);
+      const auto start = [&](int i) { return SE3d::translation(Vector3<double>::Unit(axis) * reach * i / steps); };
+      const auto cost = [&](int i) {
+        return std::abs(i) > steps ? std::numeric_limits<double>::infinity()
+                                   : aligner.rank(problem, {start(i)}, level, sigma);
+      };
+      double before = cost(-steps - 1), here = cost(-steps);
+      for (int i = -steps; i <= steps; ++i) {
+        const double after = cost(i + 1);
+        if (i != 0 && std::isfinite(here) && here <= before && here <= after) found.push_back({here, start(i)});
+        before = here, here = after;
       }
-    const auto keep = static_cast<std::ptrdiff_t>(std::min<std::size_t>(found.size(), 4));
+    }
+    const auto keep = static_cast<std::ptrdiff_t>(std::min(found.size(), kSearched));
     std::partial_sort(found.begin(), found.begin() + keep, found.end(),
                       [](const auto& l, const auto& r) { return l.first < r.first; });
     std::vector<SE3d> starts;
@@ -123,14 +153,17 @@ struct CameraMotionEstimator {
   Alignment best(const AlignProblem<Camera>& problem, std::vector<Alignment>& candidates, Aligner& aligner) const {
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
-    double least = std::numeric_limits<double>::infinity();
+    std::vector<double> costs;
+    for (const Alignment& a : candidates) costs.push_back(aligner.rank(problem, a.state, 0, sigma));
     std::size_t chosen = 0;
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const double cost = aligner.rank(problem, candidates[i].state, 0, sigma);
-      if (cost < least * (1 - settings.restart_margin) || (i == 0 && cost <= least)) least = cost, chosen = i;
-    }
-    aligner.finish(problem, candidates[chosen]);
-    return candidates[chosen];
+    for (std::size_t i = 1; i < costs.size(); ++i)
+      if (costs[i] < costs[chosen] * (1 - settings.restart_margin)) chosen = i;
+    Alignment& a = candidates[chosen];
+    for (std::size_t i = 0; i < costs.size(); ++i)
+      if (pose_distance(problem.points, problem.camera, candidates[i].state.T, a.state.T) > kAnotherMinimum)
+        a.margin = std::min(a.margin, costs[i] > costs[chosen] ? costs[i] / costs[chosen] - 1 : 0);
+    aligner.finish(problem, a);
+    return a;
   }
 };
 

@@ -48,6 +48,8 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(align.outlier);
   DOT_OPTION(camera.min_points);
   DOT_OPTION(camera.min_phi);
+  DOT_OPTION(camera.min_phi_unexpected);
+  DOT_OPTION(camera.min_margin);
   DOT_OPTION(camera.min_inliers);
   DOT_OPTION(camera.search_speed);
   DOT_OPTION(camera.restart_margin);

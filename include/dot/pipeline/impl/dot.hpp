@@ -130,8 +130,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
     c.alignment = camera_estimator.estimate(background_, current_.pyramid, camera_, predicted, c.rate_known,
                                             options_.camera.search_speed * current_.dt, aligner);
     const Alignment& a = c.alignment;
-    const bool ok = a.covariance.allFinite() && a.state.T.t.allFinite() && a.phi >= options_.camera.min_phi &&
-                    a.seen >= options_.camera.min_points && a.inliers >= options_.camera.min_inliers * a.seen;
+    const bool ok = camera_estimator.accepts(a, c.rate_known || frame.camera_prior.has_value());
     c.status = ok ? CameraStatus::Tracked : CameraStatus::Lost;
     if (ok) {
       c.T_cur_prev = a.state.T * T_prev_background.inverse();

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+#
+# Instructions, which unlike times are the same on a busy machine: of each kernel for a point, of `track` for a frame.
+#
+#     bench/instructions.sh BUILD SEQUENCE    BUILD has dot_bench and dot_run; needs valgrind, whose processor has no
+#                                             AVX-512: `track` takes the AVX2 kernels
+set -euo pipefail
+build=$1 sequence=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# collected FUNCTIONS COMMAND...: instructions inside these functions, in all
+collected() {
+  local functions=$1
+  shift
+  valgrind --tool=callgrind --callgrind-out-file=/dev/null --collect-atstart=no --toggle-collect="$functions" "$@" \
+    2>&1 >/dev/null | sed -n 's/.*Collected : *//p'
+}
+
+points=$((640 * 480 / 20)) # of kernel_bench.cpp; so few iterations that there is one
+for variant in portable avx2; do
+  for kernel in pose pose_reference_gradient pose_mean_gradient pose_gain_offset with_depth; do
+    n=$(collected '*kernel::linearize*' "$build/bench/dot_bench" \
+      --benchmark_filter="BM_Kernel/$variant/$kernel\$" --benchmark_min_time=0.000001)
+    printf '%-40s %8.1f a point\n' "$variant/$kernel" "$(awk "BEGIN { print $n / $points }")"
+  done
+done
+frames=$(find "$sequence/rgb" -type f | wc -l)
+n=$(collected 'dot::Tracker::track*' "$build/examples/dot_run" "$sequence" --out "$work/out")
+printf '%-40s %8.1f million a frame\n' "track, $(basename "$sequence")" "$(awk "BEGIN { print $n / $frames / 1e6 }")"

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+//
+// How large a motion of the camera is found from nothing: pairs of frames of recorded sequences, 1 to 4 frames apart,
+// without a prediction, on the static background alone; beside OpenCV's RgbdOdometry. Ours is a tracker that sees two
+// frames. The sequences need true poses and instances.
+//
+//     bench_peer_convergence [--list] [--depth-difference METRES] SEQUENCE...
+//
+// A pose is right within max(2 cm, 5 %) of the distance and 0.1 degrees; wrong beyond max(10 cm, 15 %) or 0.3 degrees.
+// --list writes all pairs as CSV instead of the table.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "dot/align/dispatch.hpp"
+#include "dot/image/opencv.hpp"
+#include "dot/tracker.hpp"
+#include "measure.hpp"
+#include "run/run_options.hpp"
+#include "street.hpp"
+
+namespace {
+
+using namespace dot::bench;
+
+struct Count {
+  int pairs = 0, right = 0, ok = 0, wrong_ok = 0;
+
+  void add(bool reported_ok, const dot::SE3d& T, const dot::SE3d& truth) {
+    const PoseError e = pose_error(T, truth);
+    const double way = truth.t.norm();
+    ++pairs;
+    ok += reported_ok;
+    right += reported_ok && e.metres <= std::max(0.02, 0.05 * way) && e.degrees <= 0.1;
+    wrong_ok += reported_ok && (e.metres > std::max(0.1, 0.15 * way) || e.degrees > 0.3);
+  }
+};
+
+/// Instances as the truth and as the network have them, and a margin.
+cv::Mat ids_of_all(const runner::SequenceFrame& frame, const runner::FrameTruth& truth) {
+  cv::Mat ids;
+  if (truth.instance.empty())
+    ids = cv::Mat::zeros(frame.image.size(), CV_32SC1);
+  else
+    ids = truth.instance.clone();
+  if (frame.ids.empty()) return ids;
+  cv::Mat network;
+  frame.ids.convertTo(network, CV_32S);
+  network += 100000;
+  network.copyTo(ids, (frame.ids > 0) & (ids == 0));
+  return ids;
+}
+cv::Mat background_of(const cv::Mat& ids) {
+  cv::Mat objects = ids > 0;
+  cv::dilate(objects, objects, cv::Mat::ones(9, 9, CV_8U));
+  return ~objects;
+}
+
+struct Seen {
+  runner::SequenceFrame frame;
+  PeerImages images;
+  cv::Mat ids, background;
+  dot::SE3d T_world_camera;
+};
+
+std::vector<Seen> read(runner::Sequence& sequence) {
+  std::vector<Seen> all;
+  for (int i = 0; i < sequence.size(); ++i) {
+    const auto& pose = sequence.recording().entries[static_cast<std::size_t>(i)].truth.camera;
+    if (!pose) throw std::runtime_error("needs poses.txt");
+    runner::SequenceFrame frame = sequence.read(i);
+    const cv::Mat ids = ids_of_all(frame, sequence.truth(i));
+    const PeerImages images(frame);
+    const dot::SE3d T{pose->topLeftCorner<3, 3>(), pose->topRightCorner<3, 1>()};
+    all.push_back({std::move(frame), images, ids, background_of(ids), T.normalized()});
+  }
+  return all;
+}
+
+void print(const std::string& name, int gap, const Count& ours, const Count& theirs) {
+  const auto percent = [](const Count& c) { return c.pairs ? 100.0 * c.right / c.pairs : 0; };
+  std::printf("%-16s %4d %6d   %8.1f %4d %9d   %8.1f %4d %9d\n", name.c_str(), gap, ours.pairs, percent(ours), ours.ok,
+              ours.wrong_ok, percent(theirs), theirs.ok, theirs.wrong_ok);
+}
+
+void list(const std::string& name, int first, int gap, const dot::SE3d& truth, const dot::CameraResult& c,
+          const dot::SE3d& T, bool peer_ok, const dot::SE3d& peer_T) {
+  const PoseError e = pose_error(T, truth), p = pose_error(peer_T, truth);
+  std::printf("%s,%d,%d,%.4f,%.3f,%s,%.4f,%.4f,%.4f,%d,%d,%.3f,%.2f,%.3f,%d,%.4f,%.4f\n", name.c_str(), first, gap,
+              truth.t.norm(), dot::so3::log(truth.R).norm() * 57.29578, dot::to_string(c.status), e.metres, e.degrees,
+              c.phi, c.n_points, c.n_inliers, c.normalised_variance, c.residual_sigma, c.gain, peer_ok, p.metres,
+              p.degrees);
+}
+
+void run(const std::vector<std::string>& folders, Peer::Limits limits, bool listing) {
+  Count ours[5], theirs[5];  // [0] of all
+  if (listing)
+    std::puts(
+        "sequence,first,gap,way_m,turn_deg,status,error_m,error_deg,phi,n_points,n_inliers,normalised_variance,"
+        "residual_sigma,gain,peer_ok,peer_error_m,peer_error_deg");
+  else
+    std::printf("kernels: %s\n\n%30s %24s %24s\n%-16s %4s %6s   %8s %4s %9s   %8s %4s %9s\n", dot::find_kernels()->name,
+                "", "ours", "peer", "", "gap", "pairs", "right, %", "ok", "wrong, ok", "right, %", "ok", "wrong, ok");
+  for (const std::string& folder : folders) {
+    runner::RunOptions run;
+    run.sequence.folder = folder;
+    run.sequence.truth = true;
+    runner::Sequence sequence(run.sequence);
+    dot::Tracker tracker(sequence.intrinsics(), runner::tracker_options(run, sequence.depth_source()));
+    Peer peer(sequence.intrinsics(), limits);
+    const std::vector<Seen> seen = read(sequence);
+    const std::string name = std::filesystem::path(folder).lexically_normal().filename().string();
+    for (std::size_t gap = 1; gap <= 4; ++gap) {
+      Count here, peer_here;
+      for (std::size_t i = 0; i + gap < seen.size(); ++i) {
+        const Seen &a = seen[i], &b = seen[i + gap];
+        const dot::SE3d truth = b.T_world_camera.inverse() * a.T_world_camera;
+        tracker.reset();
+        dot::Frame frame = a.frame.frame();
+        frame.masks = dot::Masks{dot::id_view(a.ids), {}};
+        tracker.track(frame);
+        frame = b.frame.frame();
+        frame.masks.reset();
+        const dot::CameraResult camera = tracker.track(frame).camera;
+        const dot::SE3d T = dot::SE3d::from_row_major(camera.T_cur_prev);
+        here.add(camera.status == dot::CameraStatus::Tracked, T, truth);
+        dot::SE3d peer_T;
+        const bool peer_ok = peer.align(a.images.grey, a.images.depth, a.background, b.images.grey, b.images.depth,
+                                        b.background, peer_T);
+        peer_here.add(peer_ok, peer_T, truth);
+        if (listing) list(name, a.frame.number, static_cast<int>(gap), truth, camera, T, peer_ok, peer_T);
+      }
+      for (const auto& [part, sums] : {std::pair{here, ours}, {peer_here, theirs}})
+        for (Count* sum : {&sums[0], &sums[gap]}) {
+          sum->pairs += part.pairs, sum->right += part.right;
+          sum->ok += part.ok, sum->wrong_ok += part.wrong_ok;
+        }
+      if (!listing) print(name, static_cast<int>(gap), here, peer_here);
+    }
+  }
+  if (listing) return;
+  for (int gap = 1; gap <= 4; ++gap) print("all", gap, ours[gap], theirs[gap]);
+  print("all", 0, ours[0], theirs[0]);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cv::setNumThreads(1);
+  Peer::Limits limits = street_limits();
+  bool listing = false;
+  std::vector<std::string> folders;
+  for (int i = 1; i < argc; ++i) {
+    if (!std::strcmp(argv[i], "--list"))
+      listing = true;
+    else if (!std::strcmp(argv[i], "--depth-difference") && i + 1 < argc)
+      limits.depth_difference = std::atof(argv[++i]);
+    else
+      folders.push_back(argv[i]);
+  }
+  try {
+    run(folders, limits, listing);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_peer_convergence: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+//
+// The whole pipeline by number of objects and by resolution: boxes before a wall, every other one moving, masks in
+// every frame. The first two frames of each film are not counted.
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <vector>
+
+#include "dot/tracker.hpp"
+#include "measure.hpp"
+#include "room.hpp"
+
+namespace {
+
+using namespace dot::bench;
+using dot::Vector3;
+
+constexpr int kColumns = 8, kRows = 5, kFrames = 6;
+
+/// The first `count` places of a grid, in an order that spreads them.
+dot::test::Scene scene_of(int count, double time, double shortest) {
+  dot::test::Scene scene;
+  dot::test::Body wall;
+  wall.quads.push_back(
+      {Vector3<double>(0, 0, 6), Vector3<double>(8, 0, 0), Vector3<double>(0, 6, 0), {1, shortest, 1.2}});
+  scene.bodies.push_back(wall);
+  for (int i = 0; i < count; ++i) {
+    const int place = i * 17 % (kColumns * kRows), column = place % kColumns, row = place / kColumns;
+    dot::test::Body box = dot::test::box(static_cast<unsigned>(i + 1), Vector3<double>::Constant(0.16),
+                                         100 + 10 * static_cast<unsigned>(i), shortest, 1.2);
+    box.T_world_body.t = {0.55 * (column - 3.5) + (i % 2 ? 1.0 * time - 0.25 : 0), 0.65 * (row - 2), 4.2};
+    scene.bodies.push_back(box);
+  }
+  return scene;
+}
+
+/// range(0): objects, range(1): width. One iteration is one film.
+void BM_Scene(benchmark::State& state) {
+  const int count = static_cast<int>(state.range(0)), width = static_cast<int>(state.range(1));
+  const dot::Pinhole camera = camera_of(width, width > 1280 ? width * 9 / 16 : width * 3 / 4);
+  const double shortest = 0.06 * 520 / camera.intrinsics().fx;
+  std::vector<dot::test::Rendering> film;
+  for (int i = 0; i < kFrames; ++i) {
+    dot::test::Degradation sensor;
+    sensor.noise = 2, sensor.depth_noise = 0.0008, sensor.seed = static_cast<unsigned>(i + 1);
+    const double time = 0.1 * i;
+    const dot::SE3d T_world_camera = dot::SE3d::translation(Vector3<double>(0.2 * time, 0, 0.5 * time));
+    film.push_back(degraded(scene_of(count, time, shortest).render(camera, T_world_camera), sensor));
+  }
+  dot::Options options;
+  options.depth_noise.source = dot::DepthSource::Rgbd;
+  dot::Tracker tracker(camera.intrinsics(), options);
+  std::vector<double> stages(static_cast<std::size_t>(dot::Stage::Count));
+  double frames = 0, objects = 0;
+  for (auto _ : state) {
+    tracker.reset();
+    double ms = 0;
+    for (std::size_t i = 0; i < film.size(); ++i) {
+      dot::Frame frame;
+      frame.id = i, frame.timestamp = 0.1 * static_cast<double>(i);
+      frame.image = film[i].image_ref(), frame.depth = film[i].depth_ref();
+      frame.masks = dot::Masks{film[i].ids_ref(), {}};
+      const dot::Result* result = nullptr;
+      const double one = milliseconds([&] { result = &tracker.track(frame); });
+      if (i < 2) continue;
+      ms += one, ++frames, objects += static_cast<double>(result->objects.size);
+      for (std::size_t k = 0; k < stages.size(); ++k) stages[k] += result->stage_ms[k];
+    }
+    state.SetIterationTime(1e-3 * ms / (kFrames - 2));  // of one frame
+  }
+  using benchmark::Counter;
+  state.counters["objects"] = objects / frames;
+  state.counters["pixels"] = Counter(1.0 * camera.width() * camera.height(), Counter::kIsIterationInvariantRate);
+  for (std::size_t k = 0; k < stages.size(); ++k)
+    state.counters[std::string(dot::to_string(static_cast<dot::Stage>(k))) + "_ms"] = stages[k] / frames;
+}
+
+BENCHMARK(BM_Scene)
+    ->ArgsProduct({{0, 1, 2, 5, 10, 20, 40}, {640}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime()
+    ->Iterations(5);
+BENCHMARK(BM_Scene)
+    ->ArgsProduct({{5}, {320, 1280, 1920, 3840}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime()
+    ->Iterations(3);
+
+}  // namespace

@@ -8,8 +8,8 @@
 
 namespace dot::bench {
 
-/// A furnished room 3 m wide, 2.4 m high, whose far wall is 3.5 m ahead of the world's origin: textured walls, floor and
-/// ceiling, and boxes in front of them. `shortest` is the shortest wavelength of the textures, metres.
+/// A furnished room 3 m wide, 2.4 m high, whose far wall is 3.5 m ahead of the world's origin: textured walls, floor
+/// and ceiling, and boxes in front of them. `shortest` is the shortest wavelength of the textures, metres.
 inline test::Scene room(unsigned seed, double shortest = 0.06) {
   using V = Vector3<double>;
   const auto texture = [&] { return test::Texture(++seed, shortest, 1.2); };

@@ -47,7 +47,7 @@ struct dot_tracker {
 
   dot::Tracker tracker;
   const dot::Result* result = nullptr;   // of the tracker's last frame; null when there is none
-  std::vector<dot::Instance> instances;  // of the frame being tracked; here to keep its memory
+  std::vector<dot::Instance> instances;  // of the call at work; here to keep its memory
   ErrorText error;
   dot_log_function log = nullptr;
   void* log_user = nullptr;
@@ -218,6 +218,11 @@ dot_status dot_track(dot_tracker* tracker, const dot_frame* frame) noexcept {
     tracker->result = &tracker->tracker.track(read_frame(frame, tracker->instances));
     log_camera(*tracker, to_c(tracker->result->camera.status));
   });
+}
+
+dot_status dot_submit_masks(dot_tracker* tracker, uint64_t frame_id, const dot_masks* masks) noexcept {
+  return guard(tracker,
+               [&] { tracker->tracker.submit_masks(frame_id, read_masks(masks, "masks", tracker->instances)); });
 }
 
 dot_status dot_object_count(dot_tracker* tracker, uint32_t* count) noexcept {

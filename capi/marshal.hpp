@@ -29,6 +29,8 @@ template <typename T>
 constexpr std::uint32_t first_size = sizeof(T);
 template <>
 inline constexpr std::uint32_t first_size<dot_camera_result> = offsetof(dot_camera_result, masked_share);
+template <>
+inline constexpr std::uint32_t first_size<dot_frame> = offsetof(dot_frame, camera_prior);
 
 template <typename T>
 void check_size(std::uint32_t size, const std::string& name) {
@@ -121,11 +123,13 @@ inline dot::ImageRef read_image(const dot_image* in, std::initializer_list<std::
   return ref;
 }
 
-inline dot::Instance read_instance(const dot_instance* in, bool has_ids, const std::string& name) {
+/// @param masks the name of what holds the instance.
+inline dot::Instance read_instance(const dot_instance* in, bool has_ids, const std::string& masks, std::size_t index) {
+  const std::string name = masks + ".instances[" + std::to_string(index) + "]";
   const dot_instance instance = read(in, name);
   check_flags(instance.flags, DOT_INSTANCE_ALWAYS_DYNAMIC, name);
   check_reserved(instance.reserved, name);
-  if (instance.mask == nullptr && !has_ids) invalid(name + ".mask is NULL and frame.masks.ids too");
+  if (instance.mask == nullptr && !has_ids) invalid(name + ".mask is NULL and " + masks + ".ids too");
   dot::Instance out;
   out.id = instance.id;
   if (instance.mask != nullptr)
@@ -138,22 +142,22 @@ inline dot::Instance read_instance(const dot_instance* in, bool has_ids, const s
   return out;
 }
 
-inline dot::Masks read_masks(const dot_masks* in, std::vector<dot::Instance>& instances) {
-  const dot_masks masks = read(in, "frame.masks");
+inline dot::Masks read_masks(const dot_masks* in, const std::string& name, std::vector<dot::Instance>& instances) {
+  const dot_masks masks = read(in, name);
   dot::Masks out;
   if (masks.ids != nullptr)
-    out.ids = read_image(masks.ids, {DOT_FORMAT_ID8, DOT_FORMAT_ID16, DOT_FORMAT_ID32}, "frame.masks.ids");
+    out.ids = read_image(masks.ids, {DOT_FORMAT_ID8, DOT_FORMAT_ID16, DOT_FORMAT_ID32}, name + ".ids");
   instances.clear();
   if (masks.instance_count > 0) {
-    if (masks.instances == nullptr) invalid("frame.masks.instances is NULL, instance_count is not 0");
+    if (masks.instances == nullptr) invalid(name + ".instances is NULL, instance_count is not 0");
     // The caller's elements may be shorter than ours: their own size is the step.
     const std::uint32_t step = masks.instances->struct_size;
     const auto* bytes = reinterpret_cast<const unsigned char*>(masks.instances);
     for (std::size_t i = 0; i < masks.instance_count; ++i) {
-      const std::string name = "frame.masks.instances[" + std::to_string(i) + "]";
       const auto* instance = reinterpret_cast<const dot_instance*>(bytes + i * step);
-      instances.push_back(read_instance(instance, masks.ids != nullptr, name));
-      if (instance->struct_size != step) invalid(name + ".struct_size differs from that of element 0");
+      instances.push_back(read_instance(instance, masks.ids != nullptr, name, i));
+      if (instance->struct_size != step)
+        invalid(name + ".instances[" + std::to_string(i) + "].struct_size differs from that of element 0");
     }
   }
   out.instances = {instances.data(), instances.size()};
@@ -178,8 +182,9 @@ inline dot::Frame read_frame(const dot_frame* in, std::vector<dot::Instance>& in
   out.image =
       read_image(frame.image, {DOT_FORMAT_GREY8, DOT_FORMAT_BGR8, DOT_FORMAT_RGB8, DOT_FORMAT_BGRA8}, "frame.image");
   out.depth = read_image(frame.depth, {DOT_FORMAT_DEPTH_F32, DOT_FORMAT_DEPTH_U16}, "frame.depth");
-  if (frame.masks != nullptr) out.masks = read_masks(frame.masks, instances);
+  if (frame.masks != nullptr) out.masks = read_masks(frame.masks, "frame.masks", instances);
   if (frame.camera_motion != nullptr) out.camera_motion = read_motion(frame.camera_motion);
+  if (frame.camera_prior != nullptr) std::copy_n(frame.camera_prior, 12, out.camera_prior.emplace().begin());
   return out;
 }
 

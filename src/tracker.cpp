@@ -51,6 +51,9 @@ Tracker::Tracker(Tracker&&) noexcept = default;
 Tracker& Tracker::operator=(Tracker&&) noexcept = default;
 
 const Result& Tracker::track(const Frame& frame) { return impl_->pipeline.track(frame); }
+void Tracker::submit_masks(std::uint64_t frame_id, const Masks& masks) {
+  impl_->pipeline.submit_masks(frame_id, masks);
+}
 void Tracker::reset() { impl_->pipeline.reset(); }
 const Options& Tracker::options() const { return impl_->pipeline.options(); }
 

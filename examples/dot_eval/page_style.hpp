@@ -34,7 +34,7 @@ p { margin: 0 0 14px; color: var(--soft); max-width: 86ch; }
 .tile dd ~ dd { font-size: 17px; font-weight: 500; }
 .card { padding: 14px 16px 10px; margin: 0; min-width: 0; }
 .grid { display: grid; gap: 14px; }
-.two { grid-template-columns: repeat(auto-fit, minmax(min(100%, 440px), 1fr)); }
+.two { grid-template-columns: repeat(auto-fill, minmax(min(100%, 440px), 1fr)); }
 .three { grid-template-columns: repeat(auto-fill, minmax(min(100%, 330px), 1fr)); }
 .head { display: flex; flex-wrap: wrap; justify-content: space-between; gap: 2px 16px; margin-bottom: 6px; }
 .legend { display: flex; flex-wrap: wrap; gap: 2px 13px; font-size: 12.5px; color: var(--soft); align-items: center; }

@@ -18,6 +18,8 @@ timing.csv.
 
   --out OUT                 folder for the results, made if it does not exist
   --mask-every K            use only the masks of frames 0, K, 2K, ... (default 1)
+  --mask-delay N            hand a frame's masks over only after N further frames, as if a network had taken
+                            that long (default 0: with their frame)
   --overlay                 write pictures to OUT/overlay/
   --masks-out DIR           write exclusion masks, 255 = do not use: DIR/mask_dot/ (moving or undecided objects)
                             and DIR/mask_all/ (every object)
@@ -37,7 +39,7 @@ Arguments parse_arguments(int count, const char* const* values) {
   line.option("--out", [&](auto& name, auto& value) { a.output.out = not_empty(name, value); });
   line.option("--masks-out", [&](auto& name, auto& value) { a.output.masks_out = not_empty(name, value); });
   line.option("--mask-every", [&](auto& name, auto& value) { a.run.sequence.mask_every = whole_number(name, value); });
-  line.option("--mask-delay", [](auto& name, auto&) { throw UsageError(name + " is not supported by this version"); });
+  line.option("--mask-delay", [&](auto& name, auto& value) { a.mask_delay = whole_number(name, value, 0); });
   line.parse(count, values, [&](const std::string& argument) {
     std::filesystem::path& folder = a.run.sequence.folder;
     if (!folder.empty()) throw UsageError("more than one sequence: '" + folder.string() + "' and '" + argument + "'");

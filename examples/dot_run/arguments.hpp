@@ -10,6 +10,7 @@ namespace runner {
 struct Arguments {
   RunOptions run;
   OutputOptions output;
+  int mask_delay = 0;  ///< frames
   bool help = false;
 };
 

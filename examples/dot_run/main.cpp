@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <deque>
 #include <exception>
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
@@ -34,14 +35,22 @@ void run(const Arguments& arguments) {
               to_string(options.depth_noise.source));
   {
     Progress progress(sequence.size());
+    std::deque<SequenceFrame> frames;  // the last one, and those before whose masks are on their way
     for (int i = 0; i < sequence.size(); ++i) {
-      const SequenceFrame frame = sequence.read(i);
+      const int delay = arguments.mask_delay;
+      frames.push_back(sequence.read(i));
+      const SequenceFrame& frame = frames.back();
+      dot::Frame now = frame.frame();
+      if (delay > 0) now.masks.reset();
       const auto start = std::chrono::steady_clock::now();
-      const dot::Result& result = tracker.track(frame.frame());
+      const dot::Result& result = tracker.track(now);
+      if (const dot::Frame then = frames.front().frame(); i >= delay && delay > 0 && then.masks)
+        tracker.submit_masks(then.id, *then.masks);
       const std::chrono::duration<double, std::milli> total = std::chrono::steady_clock::now() - start;
       writer.write(frame, result, total.count());
       summary.add(result, total.count());
       progress.show(i + 1, result, total.count());
+      if (i >= delay) frames.pop_front();
     }
   }
   summary.print(arguments.output);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "dot/camera/intrinsics.hpp"
@@ -27,6 +28,15 @@ class DOT_EXPORT Tracker {
   /// Labels the objects of one frame. The result is valid until the next call on this tracker.
   /// @throws std::invalid_argument naming the bad field of `frame`; the tracker is then as it was before.
   const Result& track(const Frame& frame);
+
+  /// Masks of an earlier frame, given to `track` without, that arrive only now: a network may take longer than a frame.
+  /// They are carried to the present with all that has been measured since, and show in the next result; the last one
+  /// is not changed. They come in the order of their frames, from after the last that was segmented, and at most
+  /// Options::mask.late_seconds late.
+  /// @param frame_id Frame::id; the newest, if several frames have it.
+  /// @throws std::invalid_argument naming the bad field, or frame_id when it is none of these frames; the tracker is
+  /// then as it was before.
+  void submit_masks(std::uint64_t frame_id, const Masks& masks);
 
   /// Forgets all frames and objects; keeps buffers and never reuses an id.
   void reset();

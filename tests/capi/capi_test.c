@@ -106,6 +106,7 @@ static void test_null_tracker(void) {
   dot_destroy(NULL);
   CHECK_INVALID(NULL, dot_reset(NULL), "tracker is NULL");
   CHECK_INVALID(NULL, dot_track(NULL, &s->frame), "tracker is NULL");
+  CHECK_INVALID(NULL, dot_submit_masks(NULL, 0, &s->masks), "tracker is NULL");
   CHECK_INVALID(NULL, dot_object_count(NULL, &count), "tracker is NULL");
   CHECK_INVALID(NULL, dot_get_object(NULL, 0, &object), "tracker is NULL");
   CHECK_INVALID(NULL, dot_get_camera(NULL, &camera), "tracker is NULL");
@@ -154,6 +155,7 @@ static void test_frame_errors(void) {
   dot_tracker* tracker = make_tracker();
   scene* s = (scene*)malloc(sizeof *s);
   dot_camera_motion motion;
+  double prior[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   dot_image mask;
   uint32_t count_before = 0, count = 0;
   dot_camera_result camera;
@@ -184,7 +186,7 @@ static void test_frame_errors(void) {
 
   CHECK_INVALID(tracker, dot_track(tracker, NULL), "frame is NULL");
   CHECK_FRAME(s->frame.struct_size = 0, "frame.struct_size");
-  CHECK_FRAME(s->frame.struct_size = sizeof s->frame - 8, "frame.struct_size");
+  CHECK_FRAME(s->frame.struct_size = offsetof(dot_frame, camera_motion), "frame.struct_size");
   CHECK_FRAME(s->frame.struct_size = sizeof s->frame + 8, "frame.struct_size");
   CHECK_FRAME(s->frame.reserved = 3, "frame.reserved");
   CHECK_FRAME(s->frame.timestamp = 0.2, "timestamp");
@@ -233,6 +235,7 @@ static void test_frame_errors(void) {
   CHECK_FRAME((s->frame.camera_motion = &motion, motion.reserved = 1), "frame.camera_motion.reserved");
   CHECK_FRAME((s->frame.camera_motion = &motion, motion.T_cur_prev[3] = NAN), "frame.camera_motion.T_cur_prev");
   CHECK_FRAME((s->frame.camera_motion = &motion, motion.covariance[7] = INFINITY), "frame.camera_motion.covariance");
+  CHECK_FRAME((s->frame.camera_prior = prior, prior[0] = 2), "frame.camera_prior");
 #undef CHECK_FRAME
 
   camera.struct_size = sizeof camera;
@@ -245,6 +248,75 @@ static void test_frame_errors(void) {
   CHECK(strcmp(dot_last_error(tracker), "") == 0);
   CHECK(dot_get_camera(tracker, &camera) == DOT_OK);
   CHECK(camera.frame_id == good.id);
+  dot_destroy(tracker);
+  free(s);
+}
+
+static void test_late_masks(void) {
+  dot_tracker* tracker = make_tracker();
+  scene* s = (scene*)malloc(sizeof *s);
+  const dot_masks* masks;
+  dot_masks bad;
+  dot_object object;
+  uint32_t count = 5;
+  uint64_t first;
+  int i;
+  if (s == NULL) exit(1);
+  make_scene(s);
+  masks = &s->masks;
+  s->frame.masks = NULL;
+  CHECK_INVALID(tracker, dot_submit_masks(tracker, 1, masks), "frame_id");
+  first = s->frame.id + 1;
+  for (i = 0; i < 3; ++i) CHECK(track_next(tracker, s) == DOT_OK);
+  CHECK(dot_object_count(tracker, &count) == DOT_OK && count == 0);
+
+  CHECK_INVALID(tracker, dot_submit_masks(tracker, first, NULL), "masks is NULL");
+  CHECK_INVALID(tracker, dot_submit_masks(tracker, first + 3, masks), "frame_id");
+  bad = *masks;
+  bad.struct_size = 0;
+  CHECK_INVALID(tracker, dot_submit_masks(tracker, first, &bad), "masks.struct_size");
+  bad = *masks;
+  bad.ids = &s->depth_view;
+  CHECK_INVALID(tracker, dot_submit_masks(tracker, first, &bad), "masks.ids.format");
+  bad = *masks;
+  bad.ids = NULL;
+  CHECK_INVALID(tracker, dot_submit_masks(tracker, first, &bad), "masks.instances[0].mask is NULL and masks.ids too");
+
+  CHECK(dot_submit_masks(tracker, first + 1, masks) == DOT_OK);
+  CHECK(strcmp(dot_last_error(tracker), "") == 0);
+  CHECK(dot_object_count(tracker, &count) == DOT_OK && count == 0);
+  CHECK_INVALID(tracker, dot_submit_masks(tracker, first, masks), "frame_id");
+  CHECK(track_next(tracker, s) == DOT_OK);
+  CHECK(dot_object_count(tracker, &count) == DOT_OK && count == 2);
+  object.struct_size = sizeof object;
+  for (i = 0; i < 2; ++i) {
+    CHECK(dot_get_object(tracker, (uint32_t)i, &object) == DOT_OK);
+    CHECK(abs(object.box[0] - (i == 0 ? 20 : 100)) <= 1 && abs(object.box[1] - 40) <= 1);
+    CHECK((object.flags & DOT_OBJECT_SEGMENTED) == 0);
+  }
+  CHECK((object.flags & DOT_OBJECT_ALWAYS_DYNAMIC) != 0 && object.class_id == 42);
+  dot_destroy(tracker);
+  free(s);
+}
+
+static void test_camera_prior(void) {
+  dot_tracker* tracker = make_tracker();
+  scene* s = (scene*)malloc(sizeof *s);
+  dot_camera_result camera;
+  double prior[12] = {1, 0, 0, 0.25, 0, 1, 0, 0, 0, 0, 1, 0};
+  if (s == NULL) exit(1);
+  make_scene(s);
+  CHECK(track_next(tracker, s) == DOT_OK);
+  s->frame.camera_prior = prior;
+  CHECK(track_next(tracker, s) == DOT_OK);
+  camera.struct_size = sizeof camera;
+  CHECK(dot_get_camera(tracker, &camera) == DOT_OK);
+  CHECK(camera.status == DOT_CAMERA_TRACKED && fabs(camera.T_cur_prev[3]) < 0.01);
+  /* Nothing to align to: the prior is the guess. */
+  memset(s->grey, 9, sizeof s->grey);
+  CHECK(track_next(tracker, s) == DOT_OK);
+  CHECK(dot_get_camera(tracker, &camera) == DOT_OK);
+  CHECK(camera.status == DOT_CAMERA_LOST && camera.T_cur_prev[3] == 0.25);
   dot_destroy(tracker);
   free(s);
 }
@@ -523,6 +595,8 @@ int main(void) {
   test_null_tracker();
   test_no_result();
   test_frame_errors();
+  test_late_masks();
+  test_camera_prior();
   test_getter_errors();
   test_result();
   test_other_inputs();

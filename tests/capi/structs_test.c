@@ -22,7 +22,8 @@ static void test_layout(void) {
   CHECK(sizeof(dot_instance) == 40 && offsetof(dot_instance, mask) == 8 && offsetof(dot_instance, flags) == 32);
   CHECK(sizeof(dot_masks) == 24 && offsetof(dot_masks, ids) == 8);
   CHECK(sizeof(dot_camera_motion) == 392 && offsetof(dot_camera_motion, covariance) == 104);
-  CHECK(sizeof(dot_frame) == 56 && offsetof(dot_frame, image) == 24 && offsetof(dot_frame, masks) == 40);
+  CHECK(sizeof(dot_frame) == 64 && offsetof(dot_frame, image) == 24 && offsetof(dot_frame, masks) == 40);
+  CHECK(offsetof(dot_frame, camera_prior) == 56);
   CHECK(sizeof(dot_camera_result) == 472 && offsetof(dot_camera_result, masked_share) == 464 &&
         offsetof(dot_camera_result, T_cur_prev) == 40);
   CHECK(sizeof(dot_object) == 704 && offsetof(dot_object, p_moving) == 64 && offsetof(dot_object, T_o) == 72);
@@ -132,6 +133,12 @@ static void test_older_struct(void) {
   camera.struct_size = sizeof camera;
   CHECK(dot_get_camera(tracker, &camera) == DOT_OK);
   CHECK(camera.masked_share > 0 && camera.masked_share < 1);
+
+  s->frame.struct_size = offsetof(dot_frame, camera_prior);
+  s->frame.camera_prior = (const double*)&camera; /* not its memory: must not be read */
+  CHECK(track_next(tracker, s) == DOT_OK);
+  s->frame.struct_size -= 1;
+  CHECK_INVALID(tracker, dot_track(tracker, &s->frame), "frame.struct_size");
   free(s);
   dot_destroy(tracker);
 }

@@ -96,6 +96,13 @@ std::function<void(Frame&, Instance*)> motion(const std::function<void(dot::Came
   };
 }
 
+std::function<void(Frame&, Instance*)> prior(std::size_t element, double value) {
+  return [=](Frame& frame, Instance*) {
+    frame.camera_prior = dot::CameraMotion{}.T_cur_prev;
+    (*frame.camera_prior)[element] = value;
+  };
+}
+
 const std::vector<BadFrame> bad_frames{
     {"ImageNull", "frame.image", [](Frame& f, Instance*) { f.image.data = nullptr; }},
     {"ImageNoWidth", "frame.image", [](Frame& f, Instance*) { f.image.width = 0; }},
@@ -136,6 +143,8 @@ const std::vector<BadFrame> bad_frames{
     {"MotionSheared", "frame.camera_motion.T_cur_prev", motion([](dot::CameraMotion& m) { m.T_cur_prev[1] = 0.01; })},
     {"MotionMirrored", "frame.camera_motion.T_cur_prev", motion([](dot::CameraMotion& m) { m.T_cur_prev[0] = -1; })},
     {"MotionCovariance", "frame.camera_motion.covariance", motion([](dot::CameraMotion& m) { m.covariance[8] = inf; })},
+    {"PriorNan", "frame.camera_prior", prior(7, nan)},
+    {"PriorScaled", "frame.camera_prior", prior(5, 1.01)},
 };
 
 class BadFrameTest : public testing::TestWithParam<BadFrame> {};
@@ -229,7 +238,8 @@ TEST(Input, OptionsOutOfRangeAreNamed) {
                          {"velocity.keep", 0.4},
                          {"velocity.keep", 0.99},
                          {"max_gap", 0},
-                         {"max_gap", -1}}) {
+                         {"max_gap", -1},
+                         {"mask.late_seconds", -0.1}}) {
     Options options;
     bool found = false;
     for_each_option(options, [&](const char* name, auto& value) {

@@ -305,7 +305,7 @@ TEST(Occlusion, WhatPassesBehindSomethingKeepsIdAndState) {
   Film<> film;
   constexpr std::uint32_t near = 9;
   film.add(mover, straight({-3.4, 1.3, 8.5}, {3, 0, 0}));
-  film.add(near, straight({0, 1.3, 4.6}));
+  film.add(near, straight({0, 0.7, 4.6}));
   Tracker tracker = make_tracker();
   int hidden = 0, came_out = -1;
   std::uint32_t id = 0;

@@ -106,6 +106,11 @@ accepts "list of instances without the option" "$seq" --out "$out/2"
 fresh
 accepts "discovery" "$seq" --out "$out" --discover
 head -n 1 "$out/objects.csv" | grep -q ',discovered$' || fail "objects.csv does not tell what was discovered"
+# Frame 0's masks arrive after frame 1 and show in frame 2.
+fresh
+accepts "delayed masks" "$seq" --out "$out" --mask-every 4 --mask-delay 1
+! grep -q '^[01],' "$out/objects.csv" || fail "masks show before they have arrived"
+grep -q '^2,' "$out/objects.csv" || fail "masks that arrived late do not show"
 accepts "help" --help
 grep -q -- '--mask-every' "$work/stdout" || fail "--help does not list the options"
 
@@ -129,7 +134,7 @@ rejects "mask rate 0" 2 "--mask-every" "$seq" --out "$out" --mask-every 0
 rejects "mask rate in words" 2 "--mask-every" "$seq" --out "$out" --mask-every often
 rejects "no threads" 2 "--threads" "$seq" --out "$out" --threads 0
 rejects "unknown classifier" 2 "--classifier" "$seq" --out "$out" --classifier guess
-rejects "delayed masks" 2 "--mask-delay is not supported" "$seq" --out "$out" --mask-delay 2
+rejects "negative delay" 2 "--mask-delay" "$seq" --out "$out" --mask-delay -1
 rejects "output into the sequence" 2 "--out" "$seq" --out "$seq/."
 [ ! -e "$seq/objects.csv" ] || fail "the sequence's folder was written to"
 

@@ -233,8 +233,10 @@ typedef struct dot_frame {
   double timestamp;                        ///< seconds, strictly increasing
   const dot_image* image;                  ///< GREY8, BGR8, RGB8 or BGRA8
   const dot_image* depth;                  ///< DEPTH_F32 or DEPTH_U16; zero, negative, NaN or infinite = no measurement
-  const dot_masks* masks;                  ///< NULL: no segmentation for this frame
+  const dot_masks* masks;                  ///< NULL: no segmentation for this frame, or not yet
   const dot_camera_motion* camera_motion;  ///< NULL: estimated from the image
+  const double* camera_prior;  ///< where that estimate starts, from odometry or an IMU: T_cur_prev, 12 values; NULL:
+                               ///< constant velocity alone
 } dot_frame;
 
 /// The camera's motion over the last interval.
@@ -309,7 +311,7 @@ typedef void (*dot_log_function)(void* user, uint32_t level, const char* text);
 #define DOT_CAMERA_INIT \
   { sizeof(dot_camera), 0, 0, 0, 0, 0, 0, 0, 0 }
 #define DOT_OPTIONS_INIT \
-  { sizeof(dot_options), DOT_CLASSIFIER_VELOCITY, DOT_DEPTH_UNKNOWN, 3000, 600, 0, 0, 0.5, 0.3 }
+  { sizeof(dot_options), DOT_CLASSIFIER_VELOCITY, DOT_DEPTH_UNKNOWN, 3000, 300, 0, 0, 0.5, 0.3 }
 #define DOT_INSTANCE_INIT \
   { sizeof(dot_instance), 0, 0, 0, 0, -1, 1, 0, 0 }
 #define DOT_MASKS_INIT \
@@ -319,7 +321,7 @@ typedef void (*dot_log_function)(void* user, uint32_t level, const char* text);
     sizeof(dot_camera_motion), 0, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}, { 0 } \
   }
 #define DOT_FRAME_INIT \
-  { sizeof(dot_frame), 0, 0, 0, 0, 0, 0, 0 }
+  { sizeof(dot_frame), 0, 0, 0, 0, 0, 0, 0, 0 }
 #define DOT_CAMERA_RESULT_INIT \
   { sizeof(dot_camera_result), 0, 0, 0, 0, 0, 0, {0}, {0}, 0, 0, 0, 0, 0, 0 }
 #define DOT_OBJECT_INIT                                                                                              \
@@ -368,6 +370,14 @@ DOT_API dot_status dot_reset(dot_tracker* tracker) DOT_NOEXCEPT;
 
 /// Labels the objects of one frame. After DOT_INVALID_ARGUMENT the tracker and its last result are as they were before.
 DOT_API dot_status dot_track(dot_tracker* tracker, const dot_frame* frame) DOT_NOEXCEPT;
+
+/// Masks of an earlier frame, tracked without, that arrive only now: a network may take longer than a frame. They are
+/// carried to the present and show in the next result; the last one is not changed. They come in the order of their
+/// frames, from after the last that was segmented, and at most a second late (setting "mask.late_seconds").
+/// @param frame_id dot_frame.id; the newest, if several frames have it. DOT_INVALID_ARGUMENT when it is none of these
+/// frames; after that the tracker is as it was before.
+/// @param masks borrowed for the duration of the call.
+DOT_API dot_status dot_submit_masks(dot_tracker* tracker, uint64_t frame_id, const dot_masks* masks) DOT_NOEXCEPT;
 
 /// Number of live objects in the last result, those without pixels too.
 DOT_API dot_status dot_object_count(dot_tracker* tracker, uint32_t* count) DOT_NOEXCEPT;

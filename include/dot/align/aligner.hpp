@@ -3,8 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -222,6 +224,8 @@ struct DirectAligner {
     const Camera camera = problem.camera.at_level(level);
     const Image<std::uint8_t>& image = problem.image.levels[static_cast<std::size_t>(level)];
     const DepthTerm depth = problem.depth_at(level);
+    std::optional<Eigen::LDLT<Matrix8>> last;  // of the last pose that was accepted
+    std::array<Vector8, 4> modes;
     for (int round = 0; round < 2; ++round) {
       residuals(problem, level, a.state, a.sigma_intensity);
       a.sigma_intensity = scale_of_residuals();
@@ -273,8 +277,8 @@ struct DirectAligner {
         const Eigen::LDLT<Matrix8> solver(damped);
         const Vector8 x = -solver.solve(g);
         a.H = H;
-        a.covariance = solver.solve(Matrix8::Identity());
-        for (std::size_t m = 0; m < 4; ++m) a.depth_modes[m] = -solver.solve(Ad.transpose() * sums.modes[m]);
+        last = solver;
+        for (std::size_t m = 0; m < 4; ++m) modes[m] = Ad.transpose() * sums.modes[m];
         if (!x.allFinite()) break;
         const double decrease = -g.dot(x);  // x' H x: the step in squared sigmas
         a.state.T = (A * SE3d::exp(x.head<6>()) * A.inverse() * a.state.T).normalized();
@@ -287,6 +291,9 @@ struct DirectAligner {
       }
       if (level > 0) break;
     }
+    if (!last) return;
+    a.covariance = last->solve(Matrix8::Identity());
+    for (std::size_t m = 0; m < 4; ++m) a.depth_modes[m] = -last->solve(modes[m]);
   }
 
   PointResiduals residuals_;

@@ -33,17 +33,19 @@ inline void to_grey(const ImageRef& image, Image<std::uint8_t>& grey) {
 /// @return the number of measurements.
 inline int to_inverse_depth(const ImageRef& depth, double max_depth, Image<float>& inverse_depth) {
   inverse_depth.resize(depth.width, depth.height);
-  const float far = static_cast<float>(max_depth);
-  const float unit = static_cast<float>(depth.depth_units_per_metre);
   int valid = 0;
-  const auto convert = [&](auto view, float units_per_metre) {
+  const auto convert = [&](auto view, double units_per_metre) {
+    const float unit = static_cast<float>(units_per_metre);
+    const float near = static_cast<float>(1e-3 * units_per_metre),
+                far = static_cast<float>(max_depth * units_per_metre);
     for (int y = 0; y < depth.height; ++y) {
       const auto* in = view.row(y);
       float* out = inverse_depth.row(y);
+      // Divided before it is known whether the value counts: loops without branches become SIMD code.
       for (int x = 0; x < depth.width; ++x) {
-        const float z = static_cast<float>(in[x]) / units_per_metre;
-        const bool ok = z > 1e-3f && z < far;  // false for NaN and infinity
-        out[x] = ok ? 1 / z : 0;
+        const float value = static_cast<float>(in[x]), inverse = unit / value;
+        const bool ok = (value > near) & (value < far);  // false for NaN and infinity
+        out[x] = ok ? inverse : 0;
         valid += ok;
       }
     }
@@ -51,10 +53,9 @@ inline int to_inverse_depth(const ImageRef& depth, double max_depth, Image<float
   if (depth.format == PixelFormat::DepthU16)
     convert(ImageView<const std::uint16_t>{static_cast<const std::uint16_t*>(depth.data), depth.width, depth.height,
                                            depth.stride},
-            unit);
+            depth.depth_units_per_metre);
   else
-    convert(ImageView<const float>{static_cast<const float*>(depth.data), depth.width, depth.height, depth.stride},
-            1.f);
+    convert(ImageView<const float>{static_cast<const float*>(depth.data), depth.width, depth.height, depth.stride}, 1);
   return valid;
 }
 

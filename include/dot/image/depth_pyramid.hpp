@@ -31,9 +31,12 @@ struct DepthPyramid {
           const float q[4] = {upper[2 * x], upper[2 * x + 1], lower[2 * x], lower[2 * x + 1]};
           const float limit = (1 - kSameSurface) * std::max(std::max(q[0], q[1]), std::max(q[2], q[3]));
           float sum = 0, n = 0;
-          for (const float v : q)
-            if (v > 0 && v >= limit) sum += v, n += 1;
-          out[x] = n > 0 ? sum / n : 0;
+          for (const float v : q) {
+            const bool same = (v > 0) & (v >= limit);
+            sum += same ? v : 0.0f;
+            n += same ? 1.0f : 0.0f;
+          }
+          out[x] = sum / std::max(n, 1.0f);
         }
       }
     }

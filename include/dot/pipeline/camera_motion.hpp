@@ -20,8 +20,8 @@ DOT_BEGIN_NAMESPACE
 /// The contours of cast shadows lie on the road, outside every mask, with correct depth, and move with their cars; near
 /// asphalt has little else. Under Huber's cost the motion that follows them can be the lower minimum. So several
 /// starts are refined, each a candidate, and the one of least *redescending* cost is taken, all judged with the same
-/// residual scale: coarse to fine from constant velocity; constant velocity and standing still, fine levels only; and
-/// shifts of those along the direction that the points determine least.
+/// residual scale: coarse to fine from constant velocity and, before that, from what the host expects; the same on fine
+/// levels only; standing still; and shifts of those along the direction that the points determine least.
 ///
 /// Without a velocity to start from, the lowest minimum found may be one of many: on an even road standing still, or a
 /// dash of its markings further, looks nearly as right as the truth. `accepts` then asks for a better correlation, and
@@ -29,26 +29,30 @@ DOT_BEGIN_NAMESPACE
 struct CameraMotionEstimator {
   CameraSettings settings;
 
-  /// @param predicted T_c at constant velocity, if `known`; otherwise translations up to `search` metres along the axes
-  /// are tried. @return the alignment; `covariance` is that of the left twist of T_c, `margin` that over the next best
-  /// minimum.
+  /// @param predicted T_c, the most trusted first, at least one. Unless the motion is `known`, translations up to
+  /// `search` metres along the axes are tried as well. @return the alignment; `covariance` is that of the left twist of
+  /// T_c, `margin` that over the next best minimum.
   template <typename Camera, typename Aligner>
-  Alignment estimate(const PointSet& points, const Pyramid& image, const Camera& camera, const SE3d& predicted,
-                     bool known, double search, Aligner& aligner) const {
+  Alignment estimate(const PointSet& points, const Pyramid& image, const Camera& camera,
+                     const std::vector<SE3d>& predicted, bool known, double search, Aligner& aligner) const {
     const AlignProblem<Camera> problem{points, image, camera};
     const int top = std::min(points.levels, image.size()) - 1, fine = std::min(1, top);
     // On the fine level but one, minima are told apart; the finest is for those that remain.
     Minima minima;
-    minima.add(problem, aligner.align(problem, {predicted}, top, fine));
-    const AlignState state = minima.found.front().state;
-    const auto add = [&](const SE3d& start, int coarsest) {
-      minima.add(problem, aligner.align(problem, {start, state.gain, state.offset}, coarsest, fine));
+    const auto add = [&](const AlignState& start, int coarsest) {
+      const Alignment a = aligner.align(problem, start, coarsest, fine);
+      minima.add(problem, a);
+      return a.state;
     };
-    add(predicted, fine);
-    if (predicted.log().norm() > 1e-3) add(SE3d{}, top);
+    AlignState first;
+    for (std::size_t i = 0; i < predicted.size(); ++i) {
+      const AlignState found = add({predicted[i]}, top);
+      if (i == 0) first = found;
+      add({predicted[i], found.gain, found.offset}, fine);
+    }
+    if (predicted.back().log().norm() > 1e-3) add({SE3d{}, first.gain, first.offset}, top);
     if (!known)
-      for (const SE3d& start : searched(problem, search, state, aligner))
-        minima.add(problem, aligner.align(problem, {start}, std::min(kSearchLevel, top), fine));
+      for (const SE3d& start : searched(problem, search, first, aligner)) add({start}, std::min(kSearchLevel, top));
 
     // Few points may agree by chance, and better than any others.
     const auto sees_few = [&](const Alignment& a) { return a.seen < settings.min_points; };
@@ -58,8 +62,7 @@ struct CameraMotionEstimator {
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : minima.found) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, fine));
     for (std::size_t i = 0; i < unshifted; ++i)
-      for (const AlignState& start : shifted(problem, minima.found[i], fine, sigma, aligner))
-        minima.add(problem, aligner.align(problem, start, fine, fine));
+      for (const AlignState& start : shifted(problem, minima.found[i], fine, sigma, aligner)) add(start, fine);
     std::vector<Alignment>& candidates = minima.found;
     if (fine > 0)
       for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);

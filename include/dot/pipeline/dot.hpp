@@ -17,6 +17,7 @@
 #include "dot/pipeline/camera_motion.hpp"
 #include "dot/pipeline/depth_learning.hpp"
 #include "dot/pipeline/discovery.hpp"
+#include "dot/pipeline/frame_history.hpp"
 #include "dot/pipeline/options.hpp"
 #include "dot/pipeline/track.hpp"
 #include "dot/pipeline/validate.hpp"
@@ -55,6 +56,15 @@ class Dot {
   /// @throws std::invalid_argument naming the bad field of `frame`; nothing has changed then.
   const Result& track(const Frame& frame);
 
+  /// Masks of an earlier frame, given to `track` without, that arrive only now: a network may take longer than a frame.
+  /// They are carried to the present with all that has been measured since, and show in the next result; the last one
+  /// is not changed. They come in the order of their frames, from after the last that was segmented, and at most
+  /// Options::mask.late_seconds late.
+  /// @param frame_id Frame::id; the newest, if several frames have it.
+  /// @throws std::invalid_argument naming the bad field, or frame_id when it is none of these frames; nothing has
+  /// changed then.
+  void submit_masks(std::uint64_t frame_id, const Masks& masks);
+
   /// Forgets all frames and objects; keeps buffers and never reuses an id.
   void reset();
 
@@ -80,6 +90,15 @@ class Dot {
     bool rate_known = false;
     bool known() const { return status == CameraStatus::Tracked || status == CameraStatus::FromHost; }
   };
+  /// A frame without segmentation, whose masks may still come.
+  struct Past {
+    std::uint64_t id = 0;  ///< the caller's
+    Current frame;
+    CameraState camera;
+    ObjectReference since;     ///< what has moved since; of no object and without points
+    bool camera_known = true;  ///< its motion, in every frame since
+    double timestamp() const { return frame.timestamp; }
+  };
   struct Observed {
     std::uint32_t instance_id = 0;
     Mask mask;
@@ -94,8 +113,9 @@ class Dot {
   void build(const Frame& frame);
   void camera_motion(const Frame& frame);
   void predict_tracks();
-  void warp_outline(TrackT& object, const SE3d& T_cur_outline);
-  void read_masks(const Frame& frame);
+  void predict(TrackT& t);
+  void warp_outline(TrackT& object, const SE3d& T_frame_outline, const Image<float>& inverse_depth);
+  void read_masks(const Masks& masks, const Image<float>& inverse_depth);
   void discover();
   Noise bounded_noise() const;
   void absorb();
@@ -103,23 +123,38 @@ class Dot {
   bool stands(const TrackT& t) const { return t.candidate && t.state == State::Static; }
   void confirm(TrackT& object);
   void support(TrackT& object);
+  std::vector<TrackT*> all_tracks();
   void associate();
   void follow(TrackT& object);
   KnownVelocity known_velocity(const TrackT& object, const ObjectReference& r) const;
   std::vector<SE3d> starts(const TrackT& object, const ObjectReference& reference);
-  Vector3<double> anchor(const Mask& mask) const;
+  Vector3<double> anchor(const Mask& mask, const Image<float>& inverse_depth) const;
   void advance(TrackT& object);
   void match(const std::vector<TrackT*>& tracks);
   void match(const std::vector<TrackT*>& tracks, bool discovered);
   void give(Observed& o, TrackT& t);
   void find_again();
-  void follow_and_decide();
+  void follow_and_decide(std::vector<TrackT*> tracks);
   void start_tracks();
   void decide(TrackT& object);
   void place_masks();
+  void take_outline(TrackT& object, const Image<float>& inverse_depth);
+  std::vector<TrackT*> far_to_near();
+  void paint(const std::vector<TrackT*>& order, Image<std::uint32_t>& ids) const;
   void label();
   double depth_tolerance(double q) const;
+  Selector<Camera, Noise> selector(const Current& frame) const {
+    return {camera_, depth_noise, frame.pyramid, frame.inverse_depth().view(), options_.selection};
+  }
   void make_references();
+  void add_reference(const Selector<Camera, Noise>& select, TrackT& object);
+  Reason make_reference(const Selector<Camera, Noise>& select, const Mask& mask, const Vector3<double>& centre,
+                        ObjectReference& r) const;
+  void await_masks(const Frame& frame);
+  SE3d T_cur_then(const TrackT& object, const Past& then) const;
+  void adopt(TrackT& object, const Past& then);
+  void renew_reference(TrackT& object, const Past& then, const Mask& mask, const Vector3<double>& centre);
+  void catch_up(const std::vector<TrackT*>& started, double start);
   void write_result(const Frame& frame);
   void take_time(Stage stage);
 
@@ -147,6 +182,7 @@ class Dot {
   bool segmented_ = false;
   SegmentedFrame segmented_frame_;  ///< the last one
   SE3d T_cur_segmented_;            ///< camera motion since
+  FrameHistory<Past> history_;      ///< whose masks may still come
   Image<std::uint8_t> nearer_;      ///< where objects nearer than the one being followed were found
 
   Image<std::uint8_t> labels_;
@@ -167,5 +203,6 @@ DOT_END_NAMESPACE
 
 #include "dot/pipeline/impl/dot.hpp"
 #include "dot/pipeline/impl/dot_discovery.hpp"
+#include "dot/pipeline/impl/dot_late_masks.hpp"
 #include "dot/pipeline/impl/dot_masks.hpp"
 #include "dot/pipeline/impl/dot_objects.hpp"

@@ -47,8 +47,10 @@ struct Frame {
   double timestamp = 0;        ///< seconds, strictly increasing
   ImageRef image;              ///< Grey8, Bgr8, Rgb8 or Bgra8
   ImageRef depth;              ///< DepthF32 or DepthU16; zero, negative, NaN or infinite = no measurement
-  std::optional<Masks> masks;  ///< absent: no segmentation for this frame
+  std::optional<Masks> masks;  ///< absent: no segmentation for this frame, or not yet
   std::optional<CameraMotion> camera_motion;  ///< absent: estimated from the image
+  /// Where that estimate starts, from odometry or an IMU: T_cur_prev, row-major 3x4. Absent: constant velocity alone.
+  std::optional<std::array<double, 12>> camera_prior;
 };
 
 }  // namespace dot

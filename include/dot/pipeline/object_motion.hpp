@@ -28,6 +28,16 @@ struct ObjectReference {
   Matrix6<double> camera_covariance = Matrix6<double>::Zero();  ///< of T_cur_ref, left twist
   double gain = 1, offset = 0;                                  ///< of the image since then, the camera's
   SE3d T_obj_cur_ref;  ///< the object's points since then, camera and own motion composed
+
+  /// Another interval of the camera: its motion, with the covariance of the left twist, and the change of the image.
+  void advance(const SE3d& T_c, const Matrix6<double>& covariance, double image_gain, double image_offset) {
+    const Matrix6<double> Ad = T_c.adjoint();
+    T_cur_ref = T_c * T_cur_ref;
+    camera_covariance = Ad * camera_covariance * Ad.transpose() + covariance;
+    gain *= image_gain;
+    offset = image_gain * offset + image_offset;
+    ++intervals;
+  }
 };
 
 /// What a frame offers to an object's fit.

@@ -104,6 +104,7 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(mask.min_iou);
   DOT_OPTION(mask.min_containment);
   DOT_OPTION(mask.keep_seconds);
+  DOT_OPTION(mask.late_seconds);
   DOT_OPTION(mask.depth_tolerance);
   DOT_OPTION(mask.min_pixels);
   DOT_OPTION(max_gap);

@@ -38,9 +38,9 @@ enum class CameraStatus : std::uint8_t {
   FirstFrame,      ///< no reference yet, or references dropped: T_cur_prev is the identity and means nothing
   Tracked,         ///< estimated from the image
   FromHost,        ///< taken from Frame::camera_motion
-  TooLittleDepth,  ///< no earlier frame had enough background points with depth; T_cur_prev is the constant-velocity
-                   ///< guess
-  Lost             ///< the alignment failed; T_cur_prev is the constant-velocity guess
+  TooLittleDepth,  ///< no earlier frame had enough background points with depth; T_cur_prev is a guess: the host's
+                   ///< prior, or constant velocity
+  Lost             ///< the alignment failed; T_cur_prev is a guess likewise
 };
 
 /// The camera's motion over the last interval.

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 
 #include "dot/mask/template.hpp"
 #include "dot/mask/warp.hpp"
 #include "dot/pipeline/object_motion.hpp"
+#include "dot/pipeline/object_path.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -23,11 +25,12 @@ struct Track {
 
   // Its outline: the last mask that a network gave, and where that is now.
   MaskTemplate outline;
-  SE3d T_cur_outline;              ///< composed motion of the object's points since then
-  bool outline_is_newest = false;  ///< it is of the last frame that was segmented
-  WarpedMask predicted;            ///< in this frame, by the predicted or the fitted motion
-  Mask mask;                       ///< what is shown in this frame
-  const Mask* observed = nullptr;  ///< this frame's network mask, if one was associated; valid during `track`
+  SE3d T_cur_outline;                ///< composed motion of the object's points since then
+  bool outline_is_newest = false;    ///< it is of the last frame that was segmented
+  WarpedMask predicted;              ///< in this frame, by the predicted or the fitted motion
+  std::optional<SE3d> predicted_by;  ///< the motion it was made by, if that is the predicted one
+  Mask mask;                         ///< what is shown in this frame
+  const Mask* observed = nullptr;    ///< this frame's network mask, if one was associated; valid during `track`
   Vector3<double> observed_centre = Vector3<double>::Zero();  ///< of that mask, at its median depth; zero: no depth
   bool segmented = false;                                     ///< there was one
   bool discovered = false;                                    ///< found by its motion; no network mask so far
@@ -40,6 +43,7 @@ struct Track {
   // Its motion.
   std::deque<ObjectReference> references;     ///< newest first
   Reason no_reference = Reason::NoReference;  ///< why the last frame added none
+  ObjectPath path;                            ///< since the frames whose masks may still come
   SE3d T_o_predicted;                         ///< constant velocity, previous camera's axes
   SE3d T_o;                                   ///< what carries points and outline on: as fitted, else as predicted
   SE3d T_o_last;                              ///< last accepted, seen from the newest camera: the prediction
@@ -52,13 +56,17 @@ struct Track {
   double p_moving = 0.5;
   Vector3<double> velocity = Vector3<double>::Zero();  ///< fused, newest camera's axes
   Matrix3<double> velocity_covariance = Matrix3<double>::Zero();
-  VelocityTrust trust;  ///< in `velocity`
-  Vector3<double> position =
-      Vector3<double>::Zero();  ///< centre of its visible part, newest camera's axes; z > 0: known
+  VelocityTrust trust;                                        ///< in `velocity`
+  Vector3<double> position = Vector3<double>::Zero();         ///< of its middle, newest camera's axes; z > 0: known
   Vector3<double> position_before = Vector3<double>::Zero();  ///< in the frame before, its axes
   double size = 0;                                            ///< metres: root of the largest area that it has shown
   double last_seen = 0;                                       ///< timestamp
   bool lost = false;                                          ///< to be dropped before the next frame
+
+  /// m/s, newest camera's axes; zero unless it rather moves than stands.
+  Vector3<double> expected_velocity() const {
+    return state == State::Moving || p_moving > 0.5 ? velocity : Vector3<double>(Vector3<double>::Zero());
+  }
 
   /// 1/m; nearer objects are followed first and painted last.
   double inverse_depth() const {

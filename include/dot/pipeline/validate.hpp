@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <initializer_list>
@@ -46,6 +47,7 @@ inline void validate(const Options& options) {
   positive("velocity.v0", options.velocity.v0);
   positive("velocity.prior_speed", options.velocity.prior_speed);
   positive("max_gap", options.max_gap);
+  if (options.mask.late_seconds < 0) bad_field("options.mask.late_seconds", "must be >= 0");
   if (options.selection.window_radius < 1 || options.selection.window_radius > 50)
     bad_field("options.selection.window_radius", "must be 1 to 50 pixels");
   if (!(options.velocity.decide > 0.5 && options.velocity.decide < 1))
@@ -72,6 +74,36 @@ inline void validate(const std::string& field, const ImageRef& image, std::initi
     bad_field(field, "depth_units_per_metre must be finite and > 0");
 }
 
+/// @throws std::invalid_argument naming the field of the masks of a frame of this size.
+inline void validate(const std::string& name, const Masks& masks, int width, int height) {
+  if (masks.ids.data != nullptr)
+    validate(name + ".ids", masks.ids, {PixelFormat::Id8, PixelFormat::Id16, PixelFormat::Id32}, width, height);
+  for (std::size_t i = 0; i < masks.instances.size; ++i) {
+    const std::string field = name + ".instances[" + std::to_string(i) + "]";
+    const Instance& instance = masks.instances[i];
+    if (instance.mask.data != nullptr)
+      validate(field + ".mask", instance.mask, {PixelFormat::Grey8, PixelFormat::Id8}, 0, 0);
+    else if (masks.ids.data == nullptr)
+      bad_field(field, "has no mask of its own and there is no id image");
+  }
+}
+
+/// @throws std::invalid_argument naming the field unless T, row-major 3x4, is a rotation and a translation.
+inline void validate(const std::string& field, const std::array<double, 12>& T) {
+  for (const double v : T)
+    if (!std::isfinite(v)) bad_field(field, "must be finite");
+  for (int r = 0; r < 3; ++r)
+    for (int c = r; c < 3; ++c) {
+      double dot = 0;
+      for (int k = 0; k < 3; ++k)
+        dot += T[static_cast<std::size_t>(4 * r + k)] * T[static_cast<std::size_t>(4 * c + k)];
+      if (std::abs(dot - (r == c)) > 1e-3) bad_field(field, "is not a rotation");
+    }
+  const double det =
+      T[0] * (T[5] * T[10] - T[6] * T[9]) - T[1] * (T[4] * T[10] - T[6] * T[8]) + T[2] * (T[4] * T[9] - T[5] * T[8]);
+  if (det < 0) bad_field(field, "is a mirror image, not a rotation");
+}
+
 /// @throws std::invalid_argument naming the field of the frame; width and height are the camera's.
 inline void validate(const Frame& frame, int width, int height, bool has_previous, double previous_timestamp) {
   validate("frame.image", frame.image, {PixelFormat::Grey8, PixelFormat::Bgr8, PixelFormat::Rgb8, PixelFormat::Bgra8},
@@ -81,33 +113,10 @@ inline void validate(const Frame& frame, int width, int height, bool has_previou
   if (has_previous && frame.timestamp <= previous_timestamp)
     bad_field("frame.timestamp",
               "must be greater than the last frame's (" + std::to_string(previous_timestamp) + " s)");
-  if (frame.masks) {
-    if (frame.masks->ids.data != nullptr)
-      validate("frame.masks.ids", frame.masks->ids, {PixelFormat::Id8, PixelFormat::Id16, PixelFormat::Id32}, width,
-               height);
-    for (std::size_t i = 0; i < frame.masks->instances.size; ++i) {
-      const std::string field = "frame.masks.instances[" + std::to_string(i) + "]";
-      const Instance& instance = frame.masks->instances[i];
-      if (instance.mask.data != nullptr)
-        validate(field + ".mask", instance.mask, {PixelFormat::Grey8, PixelFormat::Id8}, 0, 0);
-      else if (frame.masks->ids.data == nullptr)
-        bad_field(field, "has no mask of its own and there is no id image");
-    }
-  }
+  if (frame.masks) validate("frame.masks", *frame.masks, width, height);
+  if (frame.camera_prior) validate("frame.camera_prior", *frame.camera_prior);
   if (frame.camera_motion) {
-    const auto& T = frame.camera_motion->T_cur_prev;
-    for (const double v : T)
-      if (!std::isfinite(v)) bad_field("frame.camera_motion.T_cur_prev", "must be finite");
-    for (int r = 0; r < 3; ++r)
-      for (int c = r; c < 3; ++c) {
-        double dot = 0;
-        for (int k = 0; k < 3; ++k)
-          dot += T[static_cast<std::size_t>(4 * r + k)] * T[static_cast<std::size_t>(4 * c + k)];
-        if (std::abs(dot - (r == c)) > 1e-3) bad_field("frame.camera_motion.T_cur_prev", "is not a rotation");
-      }
-    const double det =
-        T[0] * (T[5] * T[10] - T[6] * T[9]) - T[1] * (T[4] * T[10] - T[6] * T[8]) + T[2] * (T[4] * T[9] - T[5] * T[8]);
-    if (det < 0) bad_field("frame.camera_motion.T_cur_prev", "is a mirror image, not a rotation");
+    validate("frame.camera_motion.T_cur_prev", frame.camera_motion->T_cur_prev);
     for (const double v : frame.camera_motion->covariance)
       if (!std::isfinite(v)) bad_field("frame.camera_motion.covariance", "must be finite");
   }

@@ -57,21 +57,25 @@ struct Selector {
     const int cell = std::max(1, static_cast<int>(std::lround(std::sqrt(area / std::max(1.0, 1.0 * budget)))));
     // Twice the gradient, squared: central differences without their half.
     const int threshold = static_cast<int>(4 * min_gradient * min_gradient);
+    struct Strongest {
+      int gradient, x, y;
+    };
+    std::vector<Strongest> cells(static_cast<std::size_t>((x1 - x0 + cell - 1) / cell));
+    std::vector<int> gradients(static_cast<std::size_t>(x1 - x0));
     for (int cy = y0; cy < y1; cy += cell) {
-      for (int cx = x0; cx < x1; cx += cell) {
-        int best = threshold, bx = -1, by = -1;
-        for (int y = cy; y < std::min(cy + cell, y1); ++y) {
-          const std::uint8_t* row = grey.row(y);
-          const std::uint8_t* above = grey.row(y - 1);
-          const std::uint8_t* below = grey.row(y + 1);
-          for (int x = cx; x < std::min(cx + cell, x1); ++x) {
-            const int gx = row[x + 1] - row[x - 1], gy = below[x] - above[x];
-            const int g = gx * gx + gy * gy;
-            if (g > best && (shared || inverse_depth(x, y) > 0) && accept(x, y)) best = g, bx = x, by = y;
+      std::fill(cells.begin(), cells.end(), Strongest{threshold, -1, -1});
+      for (int y = cy; y < std::min(cy + cell, y1); ++y) {
+        squared_gradients(grey, x0, x1, y, gradients.data());
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+          const int begin = x0 + static_cast<int>(c) * cell;
+          for (int x = begin; x < std::min(begin + cell, x1); ++x) {
+            const int g = gradients[static_cast<std::size_t>(x - x0)];
+            if (g > cells[c].gradient && (shared || inverse_depth(x, y) > 0) && accept(x, y)) cells[c] = {g, x, y};
           }
         }
-        if (bx >= 0) add(bx, by, radius, support, shared, shared_u, shared_v, points);
       }
+      for (const Strongest& s : cells)
+        if (s.x >= 0) add(s.x, s.y, radius, support, shared, shared_u, shared_v, points);
     }
   }
 
@@ -94,6 +98,17 @@ struct Selector {
   }
 
  private:
+  /// (2 |grad I|)^2 of the pixels x0 <= x < x1 of a row.
+  static void squared_gradients(const Image<std::uint8_t>& grey, int x0, int x1, int y, int* out) {
+    const std::uint8_t* row = grey.row(y);
+    const std::uint8_t* above = grey.row(y - 1);
+    const std::uint8_t* below = grey.row(y + 1);
+    for (int x = x0; x < x1; ++x) {
+      const int gx = row[x + 1] - row[x - 1], gy = below[x] - above[x];
+      out[x - x0] = gx * gx + gy * gy;
+    }
+  }
+
   void add(int x, int y, int radius, const DepthSupport& support, const PlaneFit* shared, int shared_u, int shared_v,
            PointSet& points) const {
     const float measured = inverse_depth(x, y);

@@ -40,6 +40,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::reset() {
   if constexpr (std::is_same_v<Noise, DepthNoise>)
     depth_noise.pixel_scale = depth_noise.common_scale = depth_noise.change_scale = 1;
   tracks_.clear();
+  history_.clear();
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -52,11 +53,13 @@ const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame)
   camera_motion(frame);  // T_c from the background of the previous frame, or the host's
   take_time(Stage::Camera);
   predict_tracks();  // masks warped into this frame
-  read_masks(frame);
+  observed_.clear();
+  segmented_ = frame.masks.has_value();
+  if (segmented_) read_masks(*frame.masks, current_.inverse_depth());
   if (options_.discover_unknown) discover();  // what moves in the background, as further masks
   associate();                                // network masks to tracks; nothing to do without
   take_time(Stage::Masks);
-  follow_and_decide();  // Algorithm 1: T_o of each object, nearest first, and its state
+  follow_and_decide(all_tracks());  // Algorithm 1: T_o of each object, nearest first, and its state
   take_time(Stage::Objects);
   place_masks();  // warped by T_c T_o; new objects
   label();
@@ -64,6 +67,7 @@ const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame)
   make_references();  // points of this frame for the next ones
   take_time(Stage::Points);
   write_result(frame);
+  await_masks(frame);  // which may come later
   has_previous_ = true;
   return result_;
 }
@@ -85,6 +89,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::build(const Frame& frame) {
     background_.clear();
     depth_learning_.clear();
     discovery_.clear();
+    history_.clear();
     for (TrackT& t : tracks_) t.references.clear(), t.no_reference = Reason::NoReference, t.has_motion = false;
   }
   current_.timestamp = frame.timestamp;
@@ -102,7 +107,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
   CameraState& c = camera_state_;
   c.alignment = {};
   c.covariance.setZero();
-  c.T_cur_prev = SE3d::exp(c.rate * current_.dt);
+  std::vector<SE3d> predicted{SE3d::exp(c.rate * current_.dt)};
+  if (frame.camera_prior) predicted.insert(predicted.begin(), SE3d::from_row_major(*frame.camera_prior).normalized());
+  c.T_cur_prev = predicted.front();
   if (current_.dt <= 0) {
     c.status = CameraStatus::FirstFrame;
     c.T_cur_prev = {};
@@ -119,10 +126,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
     c.status = CameraStatus::TooLittleDepth;
   } else {
     const SE3d T_prev_background = T_cur_background_;
-    c.alignment = camera_estimator.estimate(background_, current_.pyramid, camera_, c.T_cur_prev * T_prev_background,
-                                            c.rate_known, options_.camera.search_speed * current_.dt, aligner);
+    for (SE3d& T : predicted) T = T * T_prev_background;
+    c.alignment = camera_estimator.estimate(background_, current_.pyramid, camera_, predicted, c.rate_known,
+                                            options_.camera.search_speed * current_.dt, aligner);
     const Alignment& a = c.alignment;
-    const bool ok = camera_estimator.accepts(a, c.rate_known);
+    const bool ok = camera_estimator.accepts(a, c.rate_known || frame.camera_prior.has_value());
     c.status = ok ? CameraStatus::Tracked : CameraStatus::Lost;
     if (ok) {
       c.T_cur_prev = a.state.T * T_prev_background.inverse();
@@ -140,9 +148,15 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+auto Dot<Camera, Classifier, Noise, Aligner>::all_tracks() -> std::vector<TrackT*> {
+  std::vector<TrackT*> all;
+  for (TrackT& t : tracks_) all.push_back(&t);
+  return all;
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
-  const Selector<Camera, Noise> select{camera_, depth_noise, current_.pyramid, current_.inverse_depth().view(),
-                                       options_.selection};
+  const Selector<Camera, Noise> select = selector(current_);
   // Background: what no object covers, with a margin for ragged outlines.
   blocked_.resize(ids_.width(), ids_.height());
   for (int y = 0; y < ids_.height(); ++y) {
@@ -168,38 +182,49 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
     T_cur_background_ = {};
   }
 
-  for (TrackT& object : tracks_) {
-    while (!object.references.empty() &&
-           current_.timestamp - object.references.back().timestamp > options_.object.reference_seconds + 1e-6)
-      object.references.pop_back();
-    if (stands(object)) continue;
-    const Vector3<double> centre = anchor(object.mask);
-    if (object.visible && centre.z() > 0) {
-      object.position = centre;
-      object.size = std::max(object.size, std::sqrt(1.0 * object.mask.area) * centre.z() / camera_.intrinsics().fx);
-    }
-    if (!object.visible || object.mask.area < options_.selection.min_object_pixels) {
-      object.no_reference = object.visible ? Reason::TooFewPixels : Reason::Hidden;
-      continue;
-    }
-    ObjectReference r;
-    const ObjectPoints found =
-        select_object(select, {object.mask.x, object.mask.y, object.mask.width(), object.mask.height()},
-                      object.mask.pixels.view(), object.mask.area, r.points);
-    if (r.points.size() < options_.object.min_points) {
-      object.no_reference =
-          found.pixels_with_depth < options_.object.min_points ? Reason::TooLittleDepth : Reason::TooLittleTexture;
-      continue;
-    }
-    double x = 0, y = 0, q = 0;
-    for (std::size_t i = 0; i < r.points.u.size(); ++i) x += r.points.x[i], y += r.points.y[i], q += r.points.q[i];
-    const double n = r.points.size();
-    r.centroid = Vector3<double>(x / n, y / n, 1) / (q / n);
-    r.anchor = centre;
-    r.area = found.pixels_with_depth;
-    r.timestamp = current_.timestamp;
-    object.references.push_front(std::move(r));
+  for (TrackT& object : tracks_) add_reference(select, object);
+}
+
+/// The object as its mask shows it in this frame.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::add_reference(const Selector<Camera, Noise>& select, TrackT& object) {
+  while (!object.references.empty() &&
+         current_.timestamp - object.references.back().timestamp > options_.object.reference_seconds + 1e-6)
+    object.references.pop_back();
+  if (stands(object)) return;
+  const Vector3<double> centre = anchor(object.mask, current_.inverse_depth());
+  if (object.visible && centre.z() > 0) {
+    // What is half hidden shows a part that is not its middle: then the middle is where its motion carried it.
+    const double size = std::sqrt(1.0 * object.mask.area) * centre.z() / camera_.intrinsics().fx;
+    if (size > 0.7 * object.size || object.position.z() <= 0) object.position = centre;
+    object.size = std::max(object.size, size);
   }
+  ObjectReference r;
+  r.timestamp = current_.timestamp;
+  const Reason reason = object.visible ? make_reference(select, object.mask, centre, r) : Reason::Hidden;
+  if (reason == Reason::None)
+    object.references.push_front(std::move(r));
+  else
+    object.no_reference = reason;
+}
+
+/// Fills in what a mask shows of an object. @return why that is not enough, None if it is.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+Reason Dot<Camera, Classifier, Noise, Aligner>::make_reference(const Selector<Camera, Noise>& select, const Mask& mask,
+                                                               const Vector3<double>& centre,
+                                                               ObjectReference& r) const {
+  if (mask.area < options_.selection.min_object_pixels) return Reason::TooFewPixels;
+  const ObjectPoints found =
+      select_object(select, {mask.x, mask.y, mask.width(), mask.height()}, mask.pixels.view(), mask.area, r.points);
+  if (r.points.size() < options_.object.min_points)
+    return found.pixels_with_depth < options_.object.min_points ? Reason::TooLittleDepth : Reason::TooLittleTexture;
+  double x = 0, y = 0, q = 0;
+  for (std::size_t i = 0; i < r.points.u.size(); ++i) x += r.points.x[i], y += r.points.y[i], q += r.points.q[i];
+  const double n = r.points.size();
+  r.centroid = Vector3<double>(x / n, y / n, 1) / (q / n);
+  r.anchor = centre;
+  r.area = found.pixels_with_depth;
+  return Reason::None;
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>

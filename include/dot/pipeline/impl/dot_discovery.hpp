@@ -48,7 +48,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::discover() {
   for (Mask& mask : discovery_.masks) {
     Observed o;
     o.mask = std::move(mask);
-    o.centre = anchor(o.mask);
+    o.centre = anchor(o.mask, current_.inverse_depth());
     o.discovered = true;
     observed_.push_back(std::move(o));
   }

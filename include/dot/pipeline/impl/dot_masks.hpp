@@ -17,42 +17,43 @@ void Dot<Camera, Classifier, Noise, Aligner>::predict_tracks() {
   tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), [](const TrackT& t) { return t.lost; }), tracks_.end());
   const CameraState& c = camera_state_;
   T_cur_segmented_ = c.T_cur_prev * T_cur_segmented_;
-  const Matrix6<double> Ad = c.T_cur_prev.adjoint();
-  for (TrackT& t : tracks_) {
-    t.segmented = false;
-    t.observed = nullptr;
-    t.outline_is_newest &= c.known();
-    for (ObjectReference& r : t.references) {
-      r.T_cur_ref = c.T_cur_prev * r.T_cur_ref;
-      r.camera_covariance = Ad * r.camera_covariance * Ad.transpose() + c.covariance;
-      r.gain *= c.alignment.state.gain;
-      r.offset = c.alignment.state.gain * r.offset + c.alignment.state.offset;
-      ++r.intervals;
-    }
-    const bool moves = t.state == State::Moving || t.p_moving > 0.5;
-    t.T_o_predicted = moves ? SE3d::translation(t.velocity * current_.dt) : SE3d{};
-    t.position_before = t.position;
-    t.position = c.T_cur_prev * t.T_o_predicted * t.position;
-    warp_outline(t, c.T_cur_prev * t.T_o_predicted * t.T_cur_outline);
+  for (Past& p : history_) {
+    p.since.advance(c.T_cur_prev, c.covariance, c.alignment.state.gain, c.alignment.state.offset);
+    p.camera_known &= c.known();
   }
+  for (TrackT& t : tracks_) predict(t);
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::warp_outline(TrackT& object, const SE3d& T_cur_outline) {
-  const ImageView<const float> trim_by =
-      object.outline.measured ? current_.inverse_depth().view() : ImageView<const float>{};
-  warp(object.outline, T_cur_outline, camera_, trim_by, options_.mask.depth_tolerance, warp_workspace_,
+void Dot<Camera, Classifier, Noise, Aligner>::predict(TrackT& t) {
+  const CameraState& c = camera_state_;
+  t.segmented = false;
+  t.observed = nullptr;
+  t.outline_is_newest &= c.known();
+  for (ObjectReference& r : t.references)
+    r.advance(c.T_cur_prev, c.covariance, c.alignment.state.gain, c.alignment.state.offset);
+  t.T_o_predicted = SE3d::translation(t.expected_velocity() * current_.dt);
+  t.position_before = t.position;
+  t.position = c.T_cur_prev * t.T_o_predicted * t.position;
+  const SE3d T = c.T_cur_prev * t.T_o_predicted * t.T_cur_outline;
+  warp_outline(t, T, current_.inverse_depth());
+  t.predicted_by = T;
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::warp_outline(TrackT& object, const SE3d& T_frame_outline,
+                                                           const Image<float>& inverse_depth) {
+  const ImageView<const float> trim_by = object.outline.measured ? inverse_depth.view() : ImageView<const float>{};
+  warp(object.outline, T_frame_outline, camera_, trim_by, options_.mask.depth_tolerance, warp_workspace_,
        object.predicted);
+  object.predicted_by.reset();
 }
 
-/// The instances of the frame's segmentation, whichever way they came.
+/// The instances of a frame's segmentation, whichever way they came.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::read_masks(const Frame& frame) {
-  observed_.clear();
-  segmented_ = frame.masks.has_value();
-  if (!segmented_) return;
-  if (frame.masks->ids.data != nullptr) {
-    split_ids(frame.masks->ids, split_, split_workspace_);
+void Dot<Camera, Classifier, Noise, Aligner>::read_masks(const Masks& masks, const Image<float>& inverse_depth) {
+  if (masks.ids.data != nullptr) {
+    split_ids(masks.ids, split_, split_workspace_);
     for (auto& [id, mask] : split_) {
       Observed o;
       o.instance_id = id;
@@ -60,7 +61,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::read_masks(const Frame& frame) {
       observed_.push_back(std::move(o));
     }
   }
-  for (const Instance& instance : frame.masks->instances) {
+  for (const Instance& instance : masks.instances) {
     Observed* o = nullptr;
     if (instance.mask.data != nullptr) {
       observed_.emplace_back();
@@ -78,14 +79,12 @@ void Dot<Camera, Classifier, Noise, Aligner>::read_masks(const Frame& frame) {
   }
   observed_.erase(std::remove_if(observed_.begin(), observed_.end(), [](const Observed& o) { return o.mask.empty(); }),
                   observed_.end());
-  for (Observed& o : observed_) o.centre = anchor(o.mask);
+  for (Observed& o : observed_) o.centre = anchor(o.mask, inverse_depth);
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::associate() {
-  std::vector<TrackT*> all;
-  for (TrackT& t : tracks_) all.push_back(&t);
-  match(all);
+  match(all_tracks());
   if (options_.discover_unknown) absorb();
 }
 
@@ -171,13 +170,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
   for (TrackT& t : tracks_) {
     if (t.observed) {
       t.mask = *t.observed;
-      const double q = t.outline.median > 0 ? t.outline.median : 1 / options_.selection.max_depth;
-      if (!make_template(t.mask, current_.inverse_depth().view(), options_.mask.depth_tolerance, template_workspace_,
-                         t.outline))
-        make_flat_template(t.mask, q, t.outline);
+      take_outline(t, current_.inverse_depth());
       t.T_cur_outline = {};
       t.outline_is_newest = true;
-      t.contradicted = false;
       t.visible = true;
     } else {
       if (segmented_) t.outline_is_newest = false;
@@ -196,6 +191,16 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
       t.fit.reason = Reason::Lost;
     }
   }
+}
+
+/// Makes the observed mask the one that is carried on. @param inverse_depth of the mask's frame.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::take_outline(TrackT& object, const Image<float>& inverse_depth) {
+  const double q = object.outline.median > 0 ? object.outline.median : 1 / options_.selection.max_depth;
+  if (!make_template(*object.observed, inverse_depth.view(), options_.mask.depth_tolerance, template_workspace_,
+                     object.outline))
+    make_flat_template(*object.observed, q, object.outline);
+  object.contradicted = false;
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -228,13 +233,9 @@ double Dot<Camera, Classifier, Noise, Aligner>::depth_tolerance(double q) const 
   return std::min(3 * std::sqrt(2.0) * sigma / q, options_.mask.depth_tolerance);
 }
 
-/// Label and id image: far to near, predicted masks below those that the network saw in this frame.
+/// What is shown, far to near, predicted masks below those that the network saw.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::label() {
-  labels_.resize(camera_.width(), camera_.height());
-  ids_.resize(camera_.width(), camera_.height());
-  labels_.fill(0);
-  ids_.fill(0);
+auto Dot<Camera, Classifier, Noise, Aligner>::far_to_near() -> std::vector<TrackT*> {
   std::vector<TrackT*> order;
   for (TrackT& t : tracks_)
     if (t.visible && !t.lost && !t.candidate) order.push_back(&t);
@@ -242,12 +243,29 @@ void Dot<Camera, Classifier, Noise, Aligner>::label() {
     return std::make_tuple(t->observed && !t->discovered, t->inverse_depth(), t->id);
   };
   std::sort(order.begin(), order.end(), [&](const TrackT* l, const TrackT* r) { return rank(l) < rank(r); });
+  return order;
+}
+
+/// The id image of these tracks' masks, the last one on top.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::paint(const std::vector<TrackT*>& order,
+                                                    Image<std::uint32_t>& ids) const {
+  ids.resize(camera_.width(), camera_.height());
+  ids.fill(0);
   for (const TrackT* t : order)
     for (int y = 0; y < t->mask.height(); ++y)
       for (int x = 0; x < t->mask.width(); ++x) {
         if (!t->mask.pixels(x, y)) continue;
-        ids_(t->mask.x + x, t->mask.y + y) = t->id;
+        ids(t->mask.x + x, t->mask.y + y) = t->id;
       }
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::label() {
+  labels_.resize(camera_.width(), camera_.height());
+  labels_.fill(0);
+  const std::vector<TrackT*> order = far_to_near();
+  paint(order, ids_);
   // Near to far, so that what is nearer grows first.
   Mask shown;
   for (auto i = order.rbegin(); i != order.rend(); ++i) {

@@ -13,9 +13,7 @@
 DOT_BEGIN_NAMESPACE
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::follow_and_decide() {
-  std::vector<TrackT*> order;
-  for (TrackT& t : tracks_) order.push_back(&t);
+void Dot<Camera, Classifier, Noise, Aligner>::follow_and_decide(std::vector<TrackT*> order) {
   std::sort(order.begin(), order.end(), [](const TrackT* l, const TrackT* r) {
     const double a = l->inverse_depth(), b = r->inverse_depth();
     return a != b ? a > b : l->id < r->id;
@@ -83,6 +81,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     if (i == 0) object.fit = fit;
     if (!fit.ok()) continue;
     decide_by(reference, fit);
+    if (reference.intervals > 1) object.path.forget_after(reference.timestamp);
     object.T_o = T_c.inverse() * reference.T_cur_ref * fit.T_o * reference.T_obj_cur_ref.inverse();
     object.fit = object_estimator.over_last_interval(fit, T_c.inverse() * reference.T_cur_ref, current_.dt);
   }
@@ -151,24 +150,27 @@ std::vector<SE3d> Dot<Camera, Classifier, Noise, Aligner>::starts(const TrackT& 
   return out;
 }
 
-/// Centre of a mask at its median depth, this camera's axes; zero where it has no depth.
+/// Centre of a mask at its median depth, axes of its frame's camera; zero where it has no depth.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask) const {
+Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask,
+                                                                const Image<float>& inverse_depth) const {
   std::vector<float> q;
   double u = 0, v = 0;
-  for (int y = 0; y < mask.height(); ++y)
-    for (int x = 0; x < mask.width(); ++x) {
+  int n = 0;
+  const int step = mask.area > 4000 ? 2 : 1;  // a quarter of so many pixels tells it as well
+  for (int y = 0; y < mask.height(); y += step)
+    for (int x = 0; x < mask.width(); x += step) {
       if (!mask.pixels(x, y)) continue;
       u += mask.x + x;
       v += mask.y + y;
-      const float value = current_.inverse_depth()(mask.x + x, mask.y + y);
+      ++n;
+      const float value = inverse_depth(mask.x + x, mask.y + y);
       if (value > 0) q.push_back(value);
     }
   if (q.size() < 10) return Vector3<double>::Zero();
   const auto middle = q.begin() + static_cast<std::ptrdiff_t>(q.size() / 2);
   std::nth_element(q.begin(), middle, q.end());
-  return camera_.template unproject<double>(Vector2<double>(u / mask.area, v / mask.area)) /
-         static_cast<double>(*middle);
+  return camera_.template unproject<double>(Vector2<double>(u / n, v / n)) / static_cast<double>(*middle);
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -199,11 +201,17 @@ void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object) {
   const bool fitted = object.fit.ok();
   for (ObjectReference& r : object.references) r.T_obj_cur_ref = T_c * object.T_o * r.T_obj_cur_ref;
   object.position = T_c * object.T_o * object.position_before;
-  object.T_cur_outline = T_c * (object.state == State::Static ? SE3d{} : object.T_o) * object.T_cur_outline;
+  const SE3d T_outline = object.state == State::Static ? SE3d{} : object.T_o;
+  object.T_cur_outline = T_c * T_outline * object.T_cur_outline;
+  object.path.advance(T_c, T_outline);
   // The same motion seen from this camera: the prediction for the next interval.
   object.has_motion = fitted;
   if (fitted) object.T_o_last = T_c * object.fit.T_o * T_c.inverse();
-  warp_outline(object, object.T_cur_outline);
+  // What is static was predicted by the same motion.
+  const auto& predicted_by = object.predicted_by;
+  const bool same =
+      predicted_by && predicted_by->R == object.T_cur_outline.R && predicted_by->t == object.T_cur_outline.t;
+  if (!same) warp_outline(object, object.T_cur_outline, current_.inverse_depth());
 }
 
 DOT_END_NAMESPACE

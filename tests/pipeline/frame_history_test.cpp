@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/pipeline/frame_history.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <vector>
+
+namespace {
+
+struct Past {
+  double time = 0;
+  std::vector<char> buffer;
+  double timestamp() const { return time; }
+};
+using History = dot::FrameHistory<Past>;
+
+std::vector<double> times(History& history) {
+  std::vector<double> out;
+  for (const Past& p : history) out.push_back(p.time);
+  return out;
+}
+
+TEST(FrameHistory, DropsTheOldest) {
+  History history;
+  for (int i = 0; i < 4; ++i) history.add().time = i;
+  EXPECT_EQ(times(history), (std::vector<double>{0, 1, 2, 3}));
+  history.drop_before(2);
+  EXPECT_EQ(times(history), (std::vector<double>{2, 3}));
+  history.clear();
+  EXPECT_EQ(times(history), std::vector<double>{});
+}
+
+TEST(FrameHistory, UsesItsMemoryAgain) {
+  History history;
+  std::set<const char*> seen;
+  for (int i = 0; i < 20; ++i) {
+    history.drop_before(i - 2);
+    Past& p = history.add();
+    p.time = i;
+    p.buffer.resize(1000);
+    seen.insert(p.buffer.data());
+  }
+  EXPECT_EQ(seen.size(), 3u);
+}
+
+}  // namespace

@@ -210,4 +210,31 @@ TEST(NoDepthForAFrame, TheNextStillTellsTheMotion) {
   }
 }
 
+// The entropy rule tells no velocity after a frame without a fit: none, not that of standing still, against which the
+// next fit would be refused.
+TEST(NoFitForAFrame, TheNextIsNotRefused) {
+  const int blind = 6;
+  Film<> film = film_at(10);
+  film.add(mover, straight({-3.2, 1.3, 8}, {4, 0, 0}));
+  film.direct = [](int i, Scene& scene) {
+    for (Body& body : scene.bodies)
+      if (body.id == mover) body.quads = car(mover, i == blind ? 77000 : 1000 * mover).quads;
+  };
+  dot::Options options;
+  options.depth_noise.source = dot::DepthSource::Stereo;
+  options.classifier = dot::ClassifierKind::Entropy;
+  Tracker tracker(small_camera(), options);
+  for (int i = 0; i <= blind + 1; ++i) {
+    const Result& result = film.next(tracker);
+    if (i < 2) continue;
+    const ObjectResult* o = object_on(result, film.truth().ids, mover);
+    SCOPED_TRACE(std::to_string(i) + ": " + describe(o));
+    ASSERT_TRUE(o);
+    if (i == blind)
+      EXPECT_NE(o->reason, Reason::None);
+    else
+      EXPECT_EQ(o->reason, Reason::None);
+  }
+}
+
 }  // namespace

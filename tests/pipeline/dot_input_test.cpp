@@ -217,6 +217,7 @@ TEST(Input, OptionsOutOfRangeAreNamed) {
   for (const Bad& bad : {Bad{"selection.background_points", 0},
                          {"selection.background_points", -5},
                          {"selection.object_points", 0},
+                         {"object.max_acceleration", 0},
                          {"selection.max_depth", 0},
                          {"selection.max_depth", -1},
                          {"selection.window_radius", 0},

@@ -44,6 +44,7 @@ inline void validate(const Options& options) {
   positive("motion_prior.velocity", options.motion_prior.velocity);
   positive("motion_prior.gain", options.motion_prior.gain);
   positive("motion_prior.offset", options.motion_prior.offset);
+  positive("object.max_acceleration", options.object.max_acceleration);
   positive("velocity.v0", options.velocity.v0);
   positive("velocity.prior_speed", options.velocity.prior_speed);
   positive("max_gap", options.max_gap);

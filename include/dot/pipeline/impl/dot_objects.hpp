@@ -109,7 +109,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 KnownVelocity Dot<Camera, Classifier, Noise, Aligner>::known_velocity(const TrackT& object,
                                                                       const ObjectReference& r) const {
-  if (!object.trust.known() || object.always_dynamic) return {};
+  if (!object.trust.known() || object.always_dynamic || !object.has_velocity()) return {};
   const Matrix3<double> R_ref_prev = r.T_cur_ref.R.transpose() * camera_state_.T_cur_prev.R;
   return {R_ref_prev * object.velocity, R_ref_prev * object.velocity_covariance * R_ref_prev.transpose(),
           current_.timestamp - std::min(object.trust.last_fit, r.timestamp)};
@@ -177,8 +177,9 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object) {
   if (object.fit.ok()) {
     const KnownVelocity before{object.velocity, object.velocity_covariance, current_.timestamp - object.trust.last_fit};
-    object.trust.accept(!before.contradicts(object.fit.motion, object_estimator.settings.max_acceleration),
-                        current_.timestamp);
+    object.trust.accept(
+        object.has_velocity() && !before.contradicts(object.fit.motion, object_estimator.settings.max_acceleration),
+        current_.timestamp);
   } else if (object.fit.reason == Reason::Implausible) {
     object.trust.refuse();
   }

@@ -87,20 +87,6 @@ TEST(Mask, AtIsFalseOutside) {
   EXPECT_FALSE(Mask{}.at(0, 0));
 }
 
-TEST(Mask, TightenFollowsChangedPixels) {
-  Mask mask;
-  dot::fill_mask(
-      {10, 20, 6, 6}, [](int, int) { return true; }, mask);
-  for (int i = 0; i < 6; ++i) mask.pixels(0, i) = mask.pixels(i, 5) = 0;
-  dot::tighten(mask);
-  EXPECT_EQ(mask.box(), (std::array<int, 4>{11, 20, 5, 5}));
-  EXPECT_EQ(mask.area, 25);
-  mask.pixels.fill(0);
-  dot::tighten(mask);
-  EXPECT_TRUE(mask.empty());
-  EXPECT_TRUE(mask.pixels.empty());
-}
-
 TEST(Mask, OverlapsEqualBruteForce) {
   std::mt19937 random(1);
   for (int round = 0; round < 200; ++round) {

@@ -170,13 +170,6 @@ inline void split_ids(const ImageRef& ids, std::vector<std::pair<std::uint32_t, 
   out.resize(count);
 }
 
-/// Counts and crops again after pixels of the mask were changed.
-inline void tighten(Mask& mask) {
-  const Mask source = std::exchange(mask, Mask{});
-  fill_mask(
-      source.box(), [&](int u, int v) { return source.pixels(u - source.x, v - source.y) != 0; }, mask);
-}
-
 /// Pixels that both masks have.
 inline int overlap(const Mask& a, const Mask& b) {
   const int left = std::max(a.x, b.x), right = std::min(a.x + a.width(), b.x + b.width());

@@ -134,17 +134,15 @@ struct DirectAligner {
   template <typename Camera>
   double rank(const AlignProblem<Camera>& problem, const AlignState& state, int level, double sigma_intensity) {
     residuals(problem, level, state, sigma_intensity);
-    double sum = 0;
-    int seen = 0;
-    const float s2 = static_cast<float>(sq(sigma_intensity)), c = static_cast<float>(settings.tukey);
     const PointResiduals& p = residuals_;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      if (!p.seen(i)) continue;
-      ++seen;
-      sum += static_cast<double>(tukey_cost(p.r[i] / std::sqrt(s2 + p.extra[i]), c));
-      if (p.has_depth(i) && problem.depth.weight > 0)
-        sum += static_cast<double>(problem.depth.weight * tukey_cost(p.r_depth[i] / problem.depth.sigma, c));
-    }
+    const float s2 = static_cast<float>(sq(sigma_intensity)), c = static_cast<float>(settings.tukey);
+    int seen = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) seen += p.seen(i);
+    // What is not seen has no residual, and that costs nothing.
+    double sum = tukey_cost_sum(p.r.data(), p.extra.data(), p.size(), s2, c);
+    if (problem.depth.weight > 0)
+      sum += static_cast<double>(problem.depth.weight) *
+             tukey_cost_sum(p.r_depth.data(), nullptr, p.size(), problem.depth.sigma * problem.depth.sigma, c);
     if (seen < 10) return std::numeric_limits<double>::infinity();
     sum += problem.photometric_cost(state);
     if (problem.hidden_cost <= 0) return sum / seen;
@@ -179,6 +177,7 @@ struct DirectAligner {
   }
 
  private:
+  static constexpr double kSameScale = 0.02;  ///< share by which two residual scales may differ and be the same
   static double sq(double x) { return x * x; }
 
   ResidualNoise residual_noise(double sigma_intensity) const {
@@ -210,7 +209,9 @@ struct DirectAligner {
       const float s2 = static_cast<float>(sigma * sigma);
       scratch_.resize(n);
       for (std::size_t i = 0; i < n; ++i) scratch_[i] = squares_[i] / (s2 + extra_[i]);
+      const double before = sigma;
       sigma = std::max(settings.min_intensity_sigma, sigma * sigma_of_median_square());
+      if (std::abs(sigma - before) < kSameScale * before) break;
     }
     return sigma;
   }
@@ -227,8 +228,10 @@ struct DirectAligner {
     std::optional<Eigen::LDLT<Matrix8>> last;  // of the last pose that was accepted
     std::array<Vector8, 4> modes;
     for (int round = 0; round < 2; ++round) {
+      const double scale_before = a.sigma_intensity;
       residuals(problem, level, a.state, a.sigma_intensity);
       a.sigma_intensity = scale_of_residuals();
+      if (round > 0 && std::abs(a.sigma_intensity - scale_before) < kSameScale * scale_before) break;
       const ResidualNoise noise = residual_noise(a.sigma_intensity);
       AlignState accepted = a.state;
       double accepted_cost = std::numeric_limits<double>::infinity();

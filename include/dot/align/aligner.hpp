@@ -177,6 +177,7 @@ struct DirectAligner {
   }
 
  private:
+  static constexpr double kStep = 0.02, kCoarseStep = 0.5;  ///< squared sigmas: smaller ones end level 0, or another
   static constexpr double kSameScale = 0.02;  ///< share by which two residual scales may differ and be the same
   static double sq(double x) { return x * x; }
 
@@ -287,7 +288,7 @@ struct DirectAligner {
         a.state.T = (A * SE3d::exp(x.head<6>()) * A.inverse() * a.state.T).normalized();
         a.state.gain += x[6];
         a.state.offset += x[7];
-        if (decrease < 0.02) {
+        if (decrease < (level > 0 ? kCoarseStep : kStep)) {
           a.converged = true;
           break;
         }

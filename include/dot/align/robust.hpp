@@ -65,15 +65,17 @@ inline float median_of_magnitudes(std::vector<float>& values) {
   if (values.empty()) return 0;
   std::size_t rank = values.size() / 2;
   if (values.size() > 100) {
-    constexpr std::size_t kBins = 1 << 11;
+    constexpr std::size_t kBins = 1 << 11, kGroup = 1 << 5;
     const auto bin_of = [](float value) {
       std::uint32_t bits;
       std::memcpy(&bits, &value, sizeof bits);
       return (bits >> 20) & (kBins - 1);
     };
     std::array<std::uint32_t, kBins> counts{};
-    for (const float value : values) ++counts[bin_of(value)];
+    std::array<std::uint32_t, kBins / kGroup> groups{};
+    for (const float value : values) ++counts[bin_of(value)], ++groups[bin_of(value) / kGroup];
     std::uint32_t bin = 0;
+    for (std::uint32_t g = 0; rank >= groups[g]; bin += kGroup) rank -= groups[g++];
     while (rank >= counts[bin]) rank -= counts[bin++];
     std::size_t kept = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {

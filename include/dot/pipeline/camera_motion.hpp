@@ -166,6 +166,10 @@ struct CameraMotionEstimator {
   /// A later candidate must win by a margin: equal minima should not alternate.
   template <typename Camera, typename Aligner>
   Alignment best(const AlignProblem<Camera>& problem, std::vector<Alignment>& candidates, Aligner& aligner) const {
+    if (candidates.size() == 1) {
+      aligner.finish(problem, candidates[0]);
+      return candidates[0];
+    }
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
     std::vector<double> costs;

@@ -89,13 +89,17 @@ struct ObjectMotionEstimator {
     std::vector<Alignment>& candidates = minima.found;
     if (fine > 0)
       for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);
-    double sigma = std::numeric_limits<double>::infinity();
-    for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
     // A later start must win by a margin: equal minima should not alternate.
     std::vector<std::pair<double, Alignment*>> order;
-    for (Alignment& a : candidates) {
-      const double cost = aligner.rank(problem, a.state, 0, sigma) * (order.empty() ? 0.98 : 1);
-      if (std::isfinite(cost)) order.push_back({cost, &a});
+    if (candidates.size() == 1) {
+      order.push_back({0, &candidates[0]});
+    } else {
+      double sigma = std::numeric_limits<double>::infinity();
+      for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
+      for (Alignment& a : candidates) {
+        const double cost = aligner.rank(problem, a.state, 0, sigma) * (order.empty() ? 0.98 : 1);
+        if (std::isfinite(cost)) order.push_back({cost, &a});
+      }
     }
     std::stable_sort(order.begin(), order.end(), [](const auto& l, const auto& r) { return l.first < r.first; });
     // The best minimum that holds before the checks; the best of all says why there is none.

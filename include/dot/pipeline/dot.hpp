@@ -136,6 +136,7 @@ class Dot {
   void find_again();
   void follow_and_decide(std::vector<TrackT*> tracks);
   void start_tracks();
+  void look_back(TrackT& object);
   void decide(TrackT& object);
   void place_masks();
   void take_outline(TrackT& object, const Image<float>& inverse_depth);
@@ -171,6 +172,7 @@ class Dot {
   bool has_previous_ = false;
 
   Current current_;
+  Current previous_;  ///< its images, unless they are in history_
   CameraState camera_state_;
   PointSet background_;    ///< of the previous frame, or of the last one that had points
   SE3d T_cur_background_;  ///< from that frame to the current one; the identity once `track` has new points

@@ -34,6 +34,7 @@ class FrameHistory {
 
   auto begin() { return frames_.begin(); }
   auto end() { return frames_.end(); }
+  bool empty() const { return frames_.empty(); }
 
  private:
   void drop_oldest() {

@@ -59,6 +59,19 @@ struct ObjectFit {
   MotionEstimate motion;
 
   bool ok() const { return reason == Reason::None; }
+
+  /// The same motion forwards, of a fit to an image taken *before* the reference; in the axes of that image's camera.
+  /// @param C camera motion from the reference to that image.
+  ObjectFit reversed(const SE3d& C) const {
+    ObjectFit out = *this;
+    out.T_o = C * T_o.inverse() * C.inverse();
+    Matrix6<double> turn = Matrix6<double>::Zero();
+    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = C.R * T_o.R.transpose();
+    out.sigma = turn * sigma * turn.transpose();
+    out.motion.velocity = -(C.R * motion.velocity);
+    out.motion.covariance = C.R * motion.covariance * C.R.transpose();
+    return out;
+  }
 };
 
 /// Motion T_o of an object with T_c fixed (paper, section 3.3, eq. 4-5), about its centroid, with a weak depth residual

@@ -169,6 +169,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
   start_tracks();
   for (TrackT& t : tracks_) {
     if (t.observed) {
+      if (t.references.empty() && !t.fit.ok()) look_back(t);
       t.mask = *t.observed;
       take_outline(t, current_.inverse_depth());
       t.T_cur_outline = {};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "dot/pipeline/dot.hpp"
 
@@ -103,6 +104,32 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
         object_estimator.over_last_interval(long_fit, T_c.inverse() * older.T_cur_ref, current_.dt);
     if (object.fit.ok() && shared.motion.covariance.trace() < object.fit.motion.covariance.trace()) object.fit = shared;
   }
+}
+
+/// The motion of an object that no earlier mask shows, from this frame back to the one before: its masks begin here,
+/// its pixels mostly do not.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object) {
+  if (!camera_state_.known()) return;
+  const Current& before = history_.empty() ? previous_ : std::prev(history_.end())->frame;
+  const SE3d T_prev_cur = camera_state_.T_cur_prev.inverse();
+  const AlignState& change = camera_state_.alignment.state;
+  ObjectReference r;
+  if (make_reference(selector(current_), *object.observed, object.observed_centre, r) != Reason::None) return;
+  r.advance(T_prev_cur, T_prev_cur.adjoint() * camera_state_.covariance * T_prev_cur.adjoint().transpose(),
+            1 / change.gain, -change.offset / change.gain);
+  const ObjectScene<Camera> scene{before.pyramid, camera_, before.depth, {}};
+  std::vector<SE3d> starts = object_estimator.search(r, scene, current_.dt, depth_noise, aligner);
+  starts.insert(starts.begin(), SE3d{});
+  const ObjectFit fit = object_estimator.fit(r, scene, starts, {}, current_.dt, depth_noise, aligner);
+  if (!fit.ok()) return;
+  object.fit = fit.reversed(T_prev_cur);
+  object.decisive = object.fit.motion;
+  object.has_decisive = fit.phi >= options_.object.min_phi;
+  object.T_o = object.fit.T_o;
+  object.has_motion = true;
+  object.T_o_last = camera_state_.T_cur_prev * object.T_o * T_prev_cur;
+  decide(object);
 }
 
 /// The fused velocity, in the axes of a reference; nothing where it is not known well enough to refuse a fit for it.

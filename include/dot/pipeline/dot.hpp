@@ -137,7 +137,7 @@ class Dot {
   void follow_and_decide(std::vector<TrackT*> tracks);
   void start_tracks();
   void look_back(TrackT& object);
-  void decide(TrackT& object);
+  void decide(TrackT& object, const Matrix3<double>& R_cur_fit, double dt);
   void place_masks();
   void take_outline(TrackT& object, const Image<float>& inverse_depth);
   std::vector<TrackT*> far_to_near();

@@ -23,7 +23,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow_and_decide(std::vector<Trac
   nearer_.fill(0);
   for (TrackT* object : order) {
     follow(*object);
-    decide(*object);
+    decide(*object, camera_state_.T_cur_prev.R, current_.dt);
     advance(*object);
     const Mask& mask = object->observed ? *object->observed : object->predicted.mask;
     if (object->candidate || (!object->fit.ok() && !object->observed)) continue;
@@ -124,12 +124,16 @@ void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object) {
   const ObjectFit fit = object_estimator.fit(r, scene, starts, {}, current_.dt, depth_noise, aligner);
   if (!fit.ok()) return;
   object.fit = fit.reversed(T_prev_cur);
-  object.decisive = object.fit.motion;
-  object.has_decisive = fit.phi >= options_.object.min_phi;
   object.T_o = object.fit.T_o;
   object.has_motion = true;
   object.T_o_last = camera_state_.T_cur_prev * object.T_o * T_prev_cur;
-  decide(object);
+  // What is believed already was carried to this frame, so the evidence comes in its axes.
+  const Matrix3<double>& R_c = camera_state_.T_cur_prev.R;
+  object.decisive = object.fit.motion;
+  object.decisive.velocity = R_c * object.decisive.velocity;
+  object.decisive.covariance = R_c * object.decisive.covariance * R_c.transpose();
+  object.has_decisive = fit.phi >= options_.object.min_phi;
+  decide(object, Matrix3<double>::Identity(), 0);
 }
 
 /// The fused velocity, in the axes of a reference; nothing where it is not known well enough to refuse a fit for it.
@@ -201,7 +205,7 @@ Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object) {
+void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object, const Matrix3<double>& R_cur_fit, double dt) {
   if (object.fit.ok()) {
     const KnownVelocity before{object.velocity, object.velocity_covariance, current_.timestamp - object.trust.last_fit};
     object.trust.accept(
@@ -211,8 +215,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object) {
     object.trust.refuse();
   }
   if (object.discovered) confirm(object);
-  const Decision d = classifier(object.memory, object.has_decisive ? &object.decisive : nullptr,
-                                camera_state_.T_cur_prev.R, current_.dt);
+  const Decision d =
+      classifier(object.memory, object.has_decisive ? &object.decisive : nullptr, R_cur_fit, dt);
   object.state = object.always_dynamic ? State::Moving : d.state;
   object.p_moving = object.always_dynamic ? 1 : d.p_moving;
   object.velocity = d.velocity;

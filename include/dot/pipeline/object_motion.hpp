@@ -155,7 +155,9 @@ struct ObjectMotionEstimator {
     const AlignProblem<Camera> problem = make_problem(reference, scene, dt, noise);
     const int levels = std::min(reference.points.levels, scene.image.size());
     const int fine = std::min(2, levels - 1);
-    std::vector<SE3d> starts;
+    // Traffic mostly goes where the camera does.
+    std::vector<SE3d> starts{
+        SE3d::translation(reference.T_cur_ref.inverse() * reference.centroid - reference.centroid)};
     search(reference, scene, problem, fine, dt, 8, aligner, starts);
     // What is large may move by many pixels of that level between two frames: also on one where these are few, if the
     // object still has some structure there.

@@ -12,15 +12,16 @@ struct KnownVelocity {
   Matrix3<double> covariance = Matrix3<double>::Zero();  ///< (m/s)^2
   double seconds = 0;                                    ///< since then; 0: nothing is known
 
-  /// Whether a fit in the same axes differs by more than errors (three sigma) and an acceleration, m/s^2, explain. Such
-  /// a fit has locked onto something else, mostly onto what stands behind a mover.
+  /// Whether a fit in the same axes differs by more than errors and an acceleration, m/s^2, explain. Such a fit has
+  /// locked onto something else, mostly onto what stands behind a mover. Both are within three sigma, 99.7 %, of a
+  /// normal: d' (V + V_known + (a t)^2 / k I)^-1 d <= k, k = 14.2 being that quantile of chi^2 of three degrees.
   bool contradicts(const MotionEstimate& fit, double max_acceleration) const {
     if (!(seconds > 0)) return false;
+    constexpr double k = 14.2;
+    const double change = max_acceleration * seconds;
+    const Matrix3<double> S = fit.covariance + covariance + Matrix3<double>::Identity() * (change * change / k);
     const Vector3<double> d = fit.velocity - velocity;
-    const double change = d.norm() - max_acceleration * seconds;
-    if (!(change > 0)) return false;
-    const Vector3<double> along = d.normalized();
-    return change * change > 9 * along.dot((fit.covariance + covariance) * along);
+    return d.dot(S.ldlt().solve(d)) > k;
   }
 };
 

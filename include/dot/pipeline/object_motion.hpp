@@ -100,6 +100,12 @@ struct ObjectMotionEstimator {
     for (const SE3d& T_o : starts)
       minima.add(problem, aligner.align(problem, {problem.T_outer * T_o, reference.gain, reference.offset}, top, fine));
     std::vector<Alignment>& candidates = minima.found;
+    // Few points may agree by chance, and better than any others.
+    const auto sees_few = [&](const Alignment& a) {
+      return a.seen < settings.min_inliers || a.seen < 0.3 * settings.min_visible * reference.points.size();
+    };
+    if (!std::all_of(candidates.begin(), candidates.end(), sees_few))
+      candidates.erase(std::remove_if(candidates.begin(), candidates.end(), sees_few), candidates.end());
     if (fine > 0)
       for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);
     // A later start must win by a margin: equal minima should not alternate.

@@ -19,7 +19,8 @@ struct Outline {
 };
 
 /// Which predicted outline each observed one continues: the assignment that minimises the sum of 1 - IoU, over pairs
-/// with IoU >= min_iou, or of which one covers min_containment of the smaller (a mask split, merged or half occluded).
+/// with IoU >= min_iou, or of which one covers min_containment of the smaller (a mask split, merged or half occluded)
+/// and the other is not many times as large, IoU >= min_iou / 2: then it has merely come to lie over it.
 /// Where the two overlap poorly, IoU < 2 min_iou, and one is more than twice as far as the other, one passes behind the
 /// other. (Depth under a ragged mask may be its neighbour's: it does not break up what overlaps well.)
 ///
@@ -38,7 +39,7 @@ inline std::vector<int> associate(const std::vector<Outline>& predicted, const s
       if (both == 0) continue;
       const double share = static_cast<double>(both) / (a.area + b.area - both);
       const double covered = static_cast<double>(both) / std::min(a.area, b.area);
-      if (share < settings.min_iou && covered < settings.min_containment) continue;
+      if (share < settings.min_iou && (covered < settings.min_containment || share < 0.5 * settings.min_iou)) continue;
       const double q = observed[i].inverse_depth, expected = predicted[j].inverse_depth;
       const bool apart = q > 0 && expected > 0 && std::max(q, expected) > 2 * std::min(q, expected);
       if (apart && share < 2 * settings.min_iou) continue;

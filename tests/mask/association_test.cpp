@@ -53,7 +53,7 @@ TEST(Association, NeedsEnoughOverlap) {
 
 TEST(Association, AcceptsASmallPartByContainment) {
   dot::MaskSettings settings;
-  const Mask whole = rectangle(0, 0, 60, 20), part = rectangle(40, 5, 10, 8);
+  const Mask whole = rectangle(0, 0, 60, 20), part = rectangle(40, 5, 15, 10);
   ASSERT_LT(dot::iou(whole, part), settings.min_iou);
   EXPECT_EQ(associate({whole}, {part}, settings), (Partners{0}));
   EXPECT_EQ(associate({part}, {whole}, settings), (Partners{0}));
@@ -61,9 +61,18 @@ TEST(Association, AcceptsASmallPartByContainment) {
   EXPECT_EQ(associate({whole}, {part}, settings), (Partners{-1}));
 }
 
+// What a false detection left behind is not the car that drives over it.
+TEST(Association, ASpeckUnderALargeMaskIsNotContinuedByIt) {
+  const Mask car = rectangle(0, 0, 60, 20), eleventh = rectangle(40, 5, 11, 10), ninth = rectangle(40, 5, 14, 10);
+  ASSERT_LT(dot::iou(car, eleventh), 0.1);
+  ASSERT_GT(dot::iou(car, ninth), 0.1);
+  EXPECT_EQ(associate({eleventh}, {car}), (Partners{-1}));
+  EXPECT_EQ(associate({ninth}, {car}), (Partners{0}));
+}
+
 // A mover comes out beside a parked car far behind it: the small far outline lies within the large near one.
 TEST(Association, WhatPassesBehindIsAnotherThing) {
-  const Mask near = rectangle(0, 0, 60, 20), far = rectangle(40, 5, 10, 8);
+  const Mask near = rectangle(0, 0, 60, 20), far = rectangle(40, 5, 15, 10);
   const auto partner = [](const Mask& a, double qa, const Mask& b, double qb) {
     return dot::associate({{&a, qa}}, {{&b, qb}}, {})[0];
   };

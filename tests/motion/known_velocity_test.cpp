@@ -32,17 +32,20 @@ TEST(KnownVelocity, AccelerationAndErrorsAreAllowedFor) {
   known.seconds = 0.2;
   EXPECT_FALSE(known.contradicts(fit({7.99, 0, 0}, sure), 10));
   known.seconds = 0.1;
-  // Three sigma beyond that, of the fit and of what was known together: 0.5 = hypot(0.3, 0.4).
+  // Errors of the fit and of what was known, together 0.5 = hypot(0.3, 0.4) along each axis, widen that:
+  // d^2 <= 14.2 * 0.25 + 1.
   known.covariance = 0.16 * Matrix3<double>::Identity();
-  EXPECT_FALSE(known.contradicts(fit({6.51, 0, 0}, {0.3, 0.3, 0.3}), 10));
-  EXPECT_TRUE(known.contradicts(fit({6.49, 0, 0}, {0.3, 0.3, 0.3}), 10));
+  EXPECT_FALSE(known.contradicts(fit({9 - 2.13, 0, 0}, {0.3, 0.3, 0.3}), 10));
+  EXPECT_TRUE(known.contradicts(fit({9 - 2.14, 0, 0}, {0.3, 0.3, 0.3}), 10));
 }
 
-// A far object's velocity along the ray may be anything while its sideways one is measured well.
-TEST(KnownVelocity, OnlyTheErrorAlongTheDifferenceCounts) {
+// A far object's velocity along the ray may be anything while its sideways one is measured well; and that is not
+// excused by an error along the ray that came with it.
+TEST(KnownVelocity, EachDirectionHasItsOwnError) {
   const KnownVelocity known{{9, 0, 0}, Matrix3<double>::Zero(), 0.1};
   EXPECT_FALSE(known.contradicts(fit({9, 0, 12}, {0.05, 0.05, 5}), 10));
   EXPECT_TRUE(known.contradicts(fit({0, 0, 0}, {0.05, 0.05, 5}), 10));
+  EXPECT_TRUE(known.contradicts(fit({7, 0, 12}, {0.05, 0.05, 5}), 10));
 }
 
 TEST(VelocityTrust, NeedsFitsThatAgreeAndEndsWithRefusals) {

@@ -15,6 +15,7 @@
 namespace {
 
 using dot::CameraStatus;
+using dot::Frame;
 using dot::ObjectResult;
 using dot::Options;
 using dot::Reason;
@@ -26,7 +27,7 @@ using dot::Vector3;
 using dot::Vector6;
 using namespace dot::test;
 
-constexpr std::uint32_t mover = 3;
+constexpr std::uint32_t parked = 1, mover = 3;
 const Vector3<double> origin = Vector3<double>::Zero();
 
 /// A path at `speed`, m/s, along x, that from `start` on brakes until it stands.
@@ -234,6 +235,73 @@ TEST(NoFitForAFrame, TheNextIsNotRefused) {
       EXPECT_NE(o->reason, Reason::None);
     else
       EXPECT_EQ(o->reason, Reason::None);
+  }
+}
+
+// Masks begin at some frame; the pixels were in view before.
+TEST(LookBack, ANewObjectIsDecidedInTheFrameOfItsFirstMask) {
+  const int first = 3;
+  Film<> film = film_at(10);
+  film.camera_path = straight(origin, {0.3, 0, 1});
+  film.add(mover, straight({-2, 1.3, 7}, {3, 0, 0.5}));
+  film.add(parked, straight({2.4, 1.3, 7.5}));
+  film.edit = [](int i, Frame& frame) {
+    if (i < first) frame.masks.reset();
+  };
+  Tracker tracker = stereo_tracker();
+  for (int i = 0; i < first; ++i) film.next(tracker);
+  const Result& result = film.next(tracker);
+  const ObjectResult* o = object_on(result, film.truth().ids, mover);
+  ASSERT_TRUE(o);
+  EXPECT_EQ(o->reason, Reason::None);
+  EXPECT_EQ(o->state, State::Moving) << describe(o);
+  EXPECT_NEAR(o->interval, 0.1, 1e-9);
+  const Vector3<double> before = film.before(mover);
+  const Eigen::Map<const dot::Matrix3<double>> V(o->velocity_covariance.data());
+  const Vector3<double> shift = (SE3d::from_row_major(o->T_o) * before - film.T_o(mover) * before) / 0.1;
+  EXPECT_LT(shift.dot(V.ldlt().solve(shift)), 11.3);  // 99 %
+  EXPECT_LT(std::sqrt(V.trace()), 0.6);               // a fifth of its speed
+  const ObjectResult* p = object_on(result, film.truth().ids, parked);
+  ASSERT_TRUE(p);
+  EXPECT_EQ(p->reason, Reason::None);
+  EXPECT_NE(p->state, State::Moving) << describe(p);
+  const Eigen::Map<const Vector3<double>> v(p->velocity.data());
+  const Eigen::Map<const dot::Matrix3<double>> Vp(p->velocity_covariance.data());
+  EXPECT_LT(v.dot(Vp.ldlt().solve(v)), 11.3);
+}
+
+// The first frame of all, and one after a gap, have nothing to look back to.
+TEST(LookBack, NeedsAnEarlierFrame) {
+  Film<> film = film_at(10);
+  film.add(mover, straight({-2, 1.3, 7}, {3, 0, 0.5}));
+  Tracker tracker = stereo_tracker();
+  const ObjectResult* o = object_on(film.next(tracker), film.truth().ids, mover);
+  ASSERT_TRUE(o);
+  EXPECT_EQ(o->reason, Reason::New);
+}
+
+// Beside a camera at 12 m/s, nearly as fast: where it would be if it stood is out of the image in the next frame.
+TEST(Alongside, AtTheCamerasSpeedIsFollowedFromTheFirstFrame) {
+  Film<> film = film_at(10);
+  film.camera_path = straight(origin, {0, 0, 12});
+  film.add(mover, straight({-1.6, 1.3, 2.6}, {0, 0, 12.5}));
+  film.edit = [](int i, Frame& frame) {
+    if (i > 0) frame.masks.reset();
+  };
+  Tracker tracker = stereo_tracker();
+  std::uint32_t id = 0;
+  for (int i = 0; i < 4; ++i) {
+    const Result& result = film.next(tracker);
+    const ObjectResult* o = object_on(result, film.truth().ids, mover);
+    SCOPED_TRACE(std::to_string(i) + ": " + describe(o));
+    ASSERT_TRUE(o);
+    if (i == 0) id = o->id;
+    EXPECT_EQ(o->id, id);
+    if (i == 0) continue;
+    EXPECT_EQ(o->reason, Reason::None);
+    const Vector3<double> before = film.before(mover);
+    const Vector3<double> shift = SE3d::from_row_major(o->T_o) * before - film.T_o(mover) * before;
+    EXPECT_LT(shift.norm(), 0.1 * 1.25);
   }
 }
 

@@ -20,6 +20,13 @@ struct MaskTemplate {
   Image<float> inverse_depth;  ///< 1/m, crop of `mask`; smooth and without holes inside the mask, 0 outside
   double median = 0;           ///< 1/m, of the measured values that were used
   bool measured = false;       ///< false: the inverse depth is a guess, against which nothing can be trimmed
+
+  void clear() {
+    mask.clear();
+    inverse_depth.resize(0, 0);
+    median = 0;
+    measured = false;
+  }
 };
 
 /// Buffers of make_template.
@@ -50,11 +57,7 @@ inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth
     return std::isfinite(q) && q > 0 ? q : 0.0f;
   };
   const auto refuse = [&out] {
-    out.mask.area = 0;
-    out.mask.pixels.resize(0, 0);
-    out.inverse_depth.resize(0, 0);
-    out.median = 0;
-    out.measured = false;
+    out.clear();
     return false;
   };
 

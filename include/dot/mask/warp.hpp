@@ -23,6 +23,13 @@ struct WarpedMask {
   Image<float> inverse_depth;  ///< 1/m, predicted; same crop, 0 outside the mask
   double expected_area = 0;    ///< pixels it would have in an endless image with nothing in front of it
   int inside_area = 0;         ///< pixels inside the image, before trimming
+
+  void clear() {
+    mask.clear();
+    inverse_depth.resize(0, 0);
+    expected_area = 0;
+    inside_area = 0;
+  }
 };
 
 /// Buffers of `warp`.

@@ -19,11 +19,13 @@ struct DynamicDisparity {
 };
 
 /// @param centroid of the object, reference camera axes; @param sigma of the twist of T_o about the moved centroid.
+/// @param distances a buffer
 template <typename Camera>
 DynamicDisparity dynamic_disparity(const PointSet& points, const Camera& camera, const SE3d& T_c, const SE3d& T_o,
-                                   const Vector3<double>& centroid, const Matrix6<double>& sigma) {
+                                   const Vector3<double>& centroid, const Matrix6<double>& sigma,
+                                   std::vector<double>& distances) {
   DynamicDisparity out;
-  std::vector<double> distances;
+  distances.clear();
   distances.reserve(points.u.size());
   double noise = 0;
   const Vector3<double> c = T_o * centroid;
@@ -47,6 +49,14 @@ DynamicDisparity dynamic_disparity(const PointSet& points, const Camera& camera,
   out.median_px = *middle;
   out.noise_px = std::sqrt(std::max(0.0, noise / static_cast<double>(distances.size())));
   return out;
+}
+
+/// The same with a buffer of its own.
+template <typename Camera>
+DynamicDisparity dynamic_disparity(const PointSet& points, const Camera& camera, const SE3d& T_c, const SE3d& T_o,
+                                   const Vector3<double>& centroid, const Matrix6<double>& sigma) {
+  std::vector<double> distances;
+  return dynamic_disparity(points, camera, T_c, T_o, centroid, sigma, distances);
 }
 
 DOT_END_NAMESPACE

@@ -25,8 +25,8 @@ class ObjectPath {
   /// Starts the motion since the newest frame. @param oldest what is before it is forgotten. Both in seconds.
   void add(double timestamp, double oldest) {
     past_.push_back({timestamp, {}});
-    past_.erase(past_.begin(), std::find_if(past_.begin(), past_.end(),
-                                            [oldest](const Past& p) { return !(p.timestamp < oldest); }));
+    past_.erase(past_.begin(),
+                std::find_if(past_.begin(), past_.end(), [oldest](const Past& p) { return !(p.timestamp < oldest); }));
   }
 
   /// Forgets where it was carried to after this time: it was not found there.

@@ -84,6 +84,8 @@ struct Track {
   /// Whether the classifier tells a velocity; some have none after a frame without a fit.
   bool has_velocity() const { return velocity_covariance.trace() > 0; }
 
+  bool is_shown() const { return visible && !lost && !candidate; }
+
   /// m/s, newest camera's axes; zero unless it rather moves than stands.
   Vector3<double> expected_velocity() const {
     return state == State::Moving || p_moving > 0.5 ? velocity : Vector3<double>(Vector3<double>::Zero());

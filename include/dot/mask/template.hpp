@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "dot/abi.hpp"
@@ -51,78 +53,106 @@ inline constexpr int kMinTemplateDepth = 10;
 inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth, double tolerance,
                           TemplateWorkspace& workspace, MaskTemplate& out) {
   const int width = mask.width(), height = mask.height();
-  const auto measured = [&](int u, int v) {
-    if (mask.pixels(u, v) == 0 || !inverse_depth.contains(mask.x + u, mask.y + v)) return 0.0f;
-    const float q = inverse_depth(mask.x + u, mask.y + v);
-    return std::isfinite(q) && q > 0 ? q : 0.0f;
-  };
   const auto refuse = [&out] {
     out.clear();
     return false;
   };
 
+  // What was measured under the mask, 0 where nothing was: first in the place of the result.
+  out.inverse_depth.resize(width, height);
   auto& values = workspace.values;
-  values.clear();
-  for (int v = 0; v < height; ++v)
-    for (int u = 0; u < width; ++u)
-      if (const float q = measured(u, v); q > 0) values.push_back(q);
-  if (values.size() < kMinTemplateDepth) return refuse();
-  const auto percentile = [&values](double share) {
-    const auto nth = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), nth, values.end());
-    return static_cast<double>(*nth);
-  };
-  const double median = percentile(0.5);
-  const double low = std::max(percentile(0.2), (1 - tolerance) * median) * (1 - tolerance);
-  const double high = std::min(percentile(0.8), (1 + tolerance) * median) * (1 + tolerance);
+  values.resize(static_cast<std::size_t>(mask.area) + 1);
+  float* end = values.data();
+  const int u0 = std::clamp(-mask.x, 0, width), u1 = std::clamp(inverse_depth.width - mask.x, u0, width);
+  for (int v = 0; v < height; ++v) {
+    const std::uint8_t* set = mask.pixels.row(v);
+    float* measured = out.inverse_depth.row(v);
+    std::fill_n(measured, width, 0.0f);
+    if (mask.y + v < 0 || mask.y + v >= inverse_depth.height) continue;
+    const float* q = inverse_depth.row(mask.y + v) + mask.x;
+    for (int u = u0; u < u1; ++u) {
+      const bool ok = (set[u] != 0) & (q[u] > 0) & (q[u] <= std::numeric_limits<float>::max());
+      measured[u] = ok ? q[u] : 0;
+    }
+    for (int u = u0; u < u1; ++u) {  // without branches: holes are everywhere
+      *end = measured[u];
+      end += measured[u] > 0;
+    }
+  }
+  const std::ptrdiff_t count = end - values.data();
+  if (count < kMinTemplateDepth) return refuse();
 
-  values.clear();
+  float* const begin = values.data();
+  const auto rank = [](double share, std::ptrdiff_t n) {
+    return static_cast<std::ptrdiff_t>(share * static_cast<double>(n - 1));
+  };
+  const auto nth = [&](std::ptrdiff_t n, float* first, float* last) {
+    std::nth_element(first, begin + n, last);
+    return static_cast<double>(begin[n]);
+  };
+  float* const middle = begin + rank(0.5, count);
+  const double median = nth(rank(0.5, count), begin, end);
+  const double low = std::max(nth(rank(0.2, count), begin, middle + 1), (1 - tolerance) * median) * (1 - tolerance);
+  const double high = std::min(nth(rank(0.8, count), middle, end), (1 + tolerance) * median) * (1 + tolerance);
+
+  const auto below = std::count_if(begin, end, [low](float q) { return static_cast<double>(q) < low; });
+  std::ptrdiff_t accepted = 0;
   workspace.sums.resize(width + 1, height + 1);
   workspace.counts.resize(width + 1, height + 1);
   std::fill_n(workspace.sums.row(0), width + 1, 0.0);
   std::fill_n(workspace.counts.row(0), width + 1, 0);
   for (int v = 0; v < height; ++v) {
+    const float* measured = out.inverse_depth.row(v);
     const double* sums_above = workspace.sums.row(v);
     const int* counts_above = workspace.counts.row(v);
     double* sums = workspace.sums.row(v + 1);
     int* counts = workspace.counts.row(v + 1);
     double sum = 0;
-    int count = 0;
+    int n = 0;
     sums[0] = 0;
     counts[0] = 0;
     for (int u = 0; u < width; ++u) {
-      if (const float q = measured(u, v); q >= low && q <= high && q > 0) {
-        values.push_back(q);
-        sum += q;
-        ++count;
-      }
+      const double q = static_cast<double>(measured[u]);
+      const bool ok = (q >= low) & (q <= high) & (q > 0);
+      sum += ok ? q : 0;
+      n += ok;
       sums[u + 1] = sums_above[u + 1] + sum;
-      counts[u + 1] = counts_above[u + 1] + count;
+      counts[u + 1] = counts_above[u + 1] + n;
     }
+    accepted += n;
   }
-  if (values.size() < kMinTemplateDepth) return refuse();
-  out.median = percentile(0.5);
+  if (accepted < kMinTemplateDepth) return refuse();
+  out.median = nth(below + rank(0.5, accepted), begin, end);
   out.measured = true;
 
   constexpr int first_radius = 2, min_count = 5;
-  out.mask = mask;
-  out.inverse_depth.resize(width, height);
+  if (&mask != &out.mask) out.mask = mask;
   for (int v = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u) {
-      float& q = out.inverse_depth(u, v);
-      q = 0;
-      if (mask.pixels(u, v) == 0) continue;
-      for (int radius = first_radius; q == 0; radius *= 2) {
-        const int x0 = std::max(u - radius, 0), x1 = std::min(u + radius + 1, width);
-        const int y0 = std::max(v - radius, 0), y1 = std::min(v + radius + 1, height);
-        const auto window = [&](const auto& integral) {
-          return integral(x1, y1) - integral(x0, y1) - integral(x1, y0) + integral(x0, y0);
-        };
-        // The whole crop holds kMinTemplateDepth values or more, so the window finds enough at last.
-        if (const int count = window(workspace.counts); count >= min_count)
-          q = static_cast<float>(window(workspace.sums) / count);
-      }
+    const std::uint8_t* set = out.mask.pixels.row(v);
+    float* q = out.inverse_depth.row(v);
+    const auto mean = [&](int u, int radius) {
+      const int x0 = std::max(u - radius, 0), x1 = std::min(u + radius + 1, width);
+      const int y0 = std::max(v - radius, 0), y1 = std::min(v + radius + 1, height);
+      const auto window = [&](const auto& integral) {
+        return integral(x1, y1) - integral(x0, y1) - integral(x1, y0) + integral(x0, y0);
+      };
+      const int n = window(workspace.counts);
+      return n >= min_count ? static_cast<float>(window(workspace.sums) / n) : 0.0f;
+    };
+    // The smallest window of most pixels, in a loop without branches.
+    const int y0 = std::max(v - first_radius, 0), y1 = std::min(v + first_radius + 1, height);
+    const double *sums0 = workspace.sums.row(y0), *sums1 = workspace.sums.row(y1);
+    const int *counts0 = workspace.counts.row(y0), *counts1 = workspace.counts.row(y1);
+    std::fill_n(q, width, 0.0f);
+    for (int u = first_radius; u < width - first_radius; ++u) {
+      const int x0 = u - first_radius, x1 = u + first_radius + 1;
+      const int n = counts1[x1] - counts1[x0] - counts0[x1] + counts0[x0];
+      const double sum = sums1[x1] - sums1[x0] - sums0[x1] + sums0[x0];
+      q[u] = (set[u] != 0) & (n >= min_count) ? static_cast<float>(sum / n) : 0.0f;
     }
+    for (int u = 0; u < width; ++u)
+      // The whole crop holds kMinTemplateDepth values or more, so the window finds enough at last.
+      for (int radius = first_radius; set[u] != 0 && q[u] == 0; radius *= 2) q[u] = mean(u, radius);
   }
   return true;
 }

@@ -186,6 +186,7 @@ class Dot {
   RecyclingList<Observed> observed_;
   bool segmented_ = false;
   SegmentedFrame segmented_frame_;  ///< the last one
+  bool ids_are_segmented_ = false;  ///< `ids_` are its ids, which it takes over when there are new ones
   SE3d T_cur_segmented_;            ///< camera motion since
   FrameHistory<Past> history_;      ///< whose masks may still come
   Image<std::uint8_t> nearer_;      ///< where objects nearer than the one being followed were found

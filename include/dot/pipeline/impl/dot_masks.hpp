@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "dot/pipeline/dot.hpp"
 
@@ -256,6 +257,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::paint(const std::vector<TrackT*>& 
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::label() {
+  if (std::exchange(ids_are_segmented_, segmented_)) std::swap(ids_, segmented_frame_.ids);
   labels_.resize(camera_.width(), camera_.height());
   labels_.fill(0);
   const std::vector<TrackT*>& order = far_to_near();
@@ -273,11 +275,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label() {
     t.visible = !t.mask.empty();
     t.mask.write(static_cast<std::uint8_t>(t.state), labels_);
   }
-  if (segmented_) {
-    segmented_frame_.inverse_depth = current_.inverse_depth();
-    segmented_frame_.ids = ids_;
-    T_cur_segmented_ = {};
-  }
+  if (segmented_) T_cur_segmented_ = {};
 }
 
 DOT_END_NAMESPACE

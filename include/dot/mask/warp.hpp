@@ -125,7 +125,7 @@ Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camer
 /// and after; `a` is the coordinate along which they lie in the template. A neighbour whose depth differs much is on
 /// another surface; where there is none the magnification tells the size of the cell.
 inline void add_reach(const float* a, const float* b, const float* q, const float* scale, int step, int width,
-                      float* reach_a, float* reach_b) {
+                      float* __restrict reach_a, float* __restrict reach_b) {
   const float *a0 = a - step, *b0 = b - step, *q0 = q - step;
   const float *a1 = a + step, *b1 = b + step, *q1 = q + step;
   for (int x = 1; x < width - 1; ++x) {
@@ -169,7 +169,8 @@ inline void draw_surface(WarpWorkspace& w, const Box& box) {
       if (!(q[x] > 0)) continue;
       for (int j = y0[x]; j < y1[x]; ++j) {
         float* line = w.surface.row(j);
-        for (int i = x0[x]; i < x1[x]; ++i) line[i] = std::max(line[i], q[x]);
+        for (int i = x0[x]; i < x1[x]; ++i)
+          if (line[i] < q[x]) line[i] = q[x];
       }
     }
   }

@@ -62,15 +62,19 @@ Tracker make_tracker() {
   return Tracker(small_camera(), options);
 }
 
+/// The next frame's result. @param count grows by the allocations within `track`.
+const Result& next(Film<>& film, Tracker& tracker, long& count) {
+  const dot::Frame& frame = film.advance();
+  const AllocationCounter counter;
+  const Result& result = tracker.track(frame);
+  count += counter.count();
+  return result;
+}
+
 /// Allocations within `track` of one frame after another.
 long allocations(Film<>& film, Tracker& tracker, int frames) {
   long count = 0;
-  for (int i = 0; i < frames; ++i) {
-    const dot::Frame& frame = film.advance();
-    const AllocationCounter counter;
-    tracker.track(frame);
-    count += counter.count();
-  }
+  for (int i = 0; i < frames; ++i) next(film, tracker, count);
   return count;
 }
 
@@ -160,16 +164,47 @@ TEST(SteadyState, WithObjectsThatComeAndGo) {
   });
   Tracker tracker = make_tracker();
   std::set<std::uint32_t> ids;
-  long count = 0;
+  long warm_up = 0, count = 0;
   for (int i = 0; i < 2 * kWarmUp; ++i) {
-    const dot::Frame& frame = film.advance();
-    const AllocationCounter counter;
-    const Result& result = tracker.track(frame);
-    if (i >= kWarmUp) count += counter.count();
+    const Result& result = next(film, tracker, i < kWarmUp ? warm_up : count);
     if (const dot::ObjectResult* object = object_on(result, film.truth().ids, visitor)) ids.insert(object->id);
   }
   EXPECT_EQ(count, 0);
   EXPECT_EQ(ids.size(), 2 * kWarmUp / kPeriod);
+}
+
+// Masks as a list, each an image of its own, and the camera's motion from the host, or where to look for it.
+TEST(SteadyState, WithAllThatAHostMayGive) {
+  Film<> film = crossing();
+  std::vector<std::vector<std::uint8_t>> masks(3);
+  std::vector<dot::Instance> instances(3);
+  film.edit = [&](int i, dot::Frame& frame) {
+    const dot::Image<std::uint32_t>& ids = film.seen().ids;
+    for (std::uint32_t id = 1; id <= 3; ++id) {
+      std::vector<std::uint8_t>& mask = masks[id - 1];
+      mask.clear();
+      for (int y = 0; y < ids.height(); ++y)
+        for (int x = 0; x < ids.width(); ++x) mask.push_back(ids(x, y) == id);
+      instances[id - 1].id = id;
+      instances[id - 1].mask = {mask.data(), ids.width(), ids.height(), ids.width(), dot::PixelFormat::Id8};
+    }
+    frame.masks->ids = {};
+    frame.masks->instances = {instances.data(), instances.size()};
+    if (i == 0) return;
+    if (i % 2) {
+      frame.camera_prior = film.T_c().row_major();
+    } else {
+      frame.camera_motion.emplace().T_cur_prev = film.T_c().row_major();
+      for (std::size_t k = 0; k < 6; ++k) frame.camera_motion->covariance[7 * k] = 1e-8;
+    }
+  };
+  Tracker tracker = make_tracker();
+  allocations(film, tracker, kWarmUp);
+  EXPECT_EQ(allocations(film, tracker, kPeriod), 0);
+
+  const dot::ObjectResult* object = seen_on(film, tracker, mover);
+  ASSERT_TRUE(object);
+  EXPECT_EQ(object->state, State::Moving) << describe(object);
 }
 
 }  // namespace

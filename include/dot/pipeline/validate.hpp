@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <initializer_list>
 #include <stdexcept>
@@ -15,6 +16,20 @@
 #include "dot/pipeline/options.hpp"
 
 DOT_BEGIN_NAMESPACE
+
+/// Name of a field, put together only where something is wrong with it: `track` takes no memory otherwise.
+struct FieldName {
+  const char* field;
+  const char* member = "";
+  std::ptrdiff_t instance = -1;  ///< of `field`, if it is one of its instances
+
+  FieldName(const char* name) : field(name) {}  // NOLINT(google-explicit-constructor): as a string would be
+  FieldName(const char* name, const char* its_member, std::ptrdiff_t its_instance = -1)
+      : field(name), member(its_member), instance(its_instance) {}
+  operator std::string() const {
+    return field + (instance < 0 ? std::string() : ".instances[" + std::to_string(instance) + "]") + member;
+  }
+};
 
 /// Throws std::invalid_argument("field: what is wrong").
 [[noreturn]] inline void bad_field(const std::string& field, const std::string& what) {
@@ -58,7 +73,7 @@ inline void validate(const Options& options) {
 }
 
 /// Checks a view: present, one of `formats`, rows that fit the stride, and of the size width x height (0: any).
-inline void validate(const std::string& field, const ImageRef& image, std::initializer_list<PixelFormat> formats,
+inline void validate(const FieldName& field, const ImageRef& image, std::initializer_list<PixelFormat> formats,
                      int width, int height) {
   if (image.data == nullptr) bad_field(field, "is empty (null data)");
   if (image.width <= 0 || image.height <= 0) bad_field(field, "is empty (width or height is 0)");
@@ -76,21 +91,21 @@ inline void validate(const std::string& field, const ImageRef& image, std::initi
 }
 
 /// @throws std::invalid_argument naming the field of the masks of a frame of this size.
-inline void validate(const std::string& name, const Masks& masks, int width, int height) {
+inline void validate(const char* name, const Masks& masks, int width, int height) {
   if (masks.ids.data != nullptr)
-    validate(name + ".ids", masks.ids, {PixelFormat::Id8, PixelFormat::Id16, PixelFormat::Id32}, width, height);
+    validate({name, ".ids"}, masks.ids, {PixelFormat::Id8, PixelFormat::Id16, PixelFormat::Id32}, width, height);
   for (std::size_t i = 0; i < masks.instances.size; ++i) {
-    const std::string field = name + ".instances[" + std::to_string(i) + "]";
+    const auto index = static_cast<std::ptrdiff_t>(i);
     const Instance& instance = masks.instances[i];
     if (instance.mask.data != nullptr)
-      validate(field + ".mask", instance.mask, {PixelFormat::Grey8, PixelFormat::Id8}, 0, 0);
+      validate({name, ".mask", index}, instance.mask, {PixelFormat::Grey8, PixelFormat::Id8}, 0, 0);
     else if (masks.ids.data == nullptr)
-      bad_field(field, "has no mask of its own and there is no id image");
+      bad_field(FieldName(name, "", index), "has no mask of its own and there is no id image");
   }
 }
 
 /// @throws std::invalid_argument naming the field unless T, row-major 3x4, is a rotation and a translation.
-inline void validate(const std::string& field, const std::array<double, 12>& T) {
+inline void validate(const FieldName& field, const std::array<double, 12>& T) {
   for (const double v : T)
     if (!std::isfinite(v)) bad_field(field, "must be finite");
   for (int r = 0; r < 3; ++r)

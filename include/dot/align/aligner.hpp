@@ -87,7 +87,7 @@ struct DirectAligner {
     Alignment a;
     a.state = start;
     excluded_.assign(static_cast<std::size_t>(problem.points.size()), 0);
-    for (int level = coarsest; level >= finest; --level) refine(problem, level, a);
+    for (int level = coarsest; level >= finest; --level) refine(problem, level, a, level == finest);
     return a;
   }
 
@@ -102,7 +102,7 @@ struct DirectAligner {
     const auto r2 = [&](std::size_t i) { return sq(static_cast<double>(p.r[i])); };
     const auto s2 = [&](std::size_t i) { return sq(a.sigma_intensity) + static_cast<double>(p.extra[i]); };
     for (std::size_t i = 0; i < p.size(); ++i) excluded_[i] = p.seen(i) && r2(i) > sq(settings.outlier) * s2(i);
-    refine(problem, 0, a);
+    refine(problem, 0, a, true);
     // Statistics over all points, the excluded too.
     residuals(problem, 0, a.state, a.sigma_intensity);
     Pearson pearson;
@@ -134,17 +134,15 @@ struct DirectAligner {
   template <typename Camera>
   double rank(const AlignProblem<Camera>& problem, const AlignState& state, int level, double sigma_intensity) {
     residuals(problem, level, state, sigma_intensity);
-    double sum = 0;
-    int seen = 0;
-    const float s2 = static_cast<float>(sq(sigma_intensity)), c = static_cast<float>(settings.tukey);
     const PointResiduals& p = residuals_;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      if (!p.seen(i)) continue;
-      ++seen;
-      sum += static_cast<double>(tukey_cost(p.r[i] / std::sqrt(s2 + p.extra[i]), c));
-      if (p.has_depth(i) && problem.depth.weight > 0)
-        sum += static_cast<double>(problem.depth.weight * tukey_cost(p.r_depth[i] / problem.depth.sigma, c));
-    }
+    const float s2 = static_cast<float>(sq(sigma_intensity)), c = static_cast<float>(settings.tukey);
+    int seen = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) seen += p.seen(i);
+    // What is not seen has no residual, and that costs nothing.
+    double sum = tukey_cost_sum(p.r.data(), p.extra.data(), p.size(), s2, c);
+    if (problem.depth.weight > 0)
+      sum += static_cast<double>(problem.depth.weight) *
+             tukey_cost_sum(p.r_depth.data(), nullptr, p.size(), problem.depth.sigma * problem.depth.sigma, c);
     if (seen < 10) return std::numeric_limits<double>::infinity();
     sum += problem.photometric_cost(state);
     if (problem.hidden_cost <= 0) return sum / seen;
@@ -179,6 +177,9 @@ struct DirectAligner {
   }
 
  private:
+  static constexpr std::size_t kScalePoints = 1000;  ///< that tell the residual scale, to 4 %
+  static constexpr double kStep = 0.02, kCoarseStep = 0.5;  ///< squared sigmas: smaller ones end level 0, or another
+  static constexpr double kSameScale = 0.02;  ///< share by which two residual scales may differ and be the same
   static double sq(double x) { return x * x; }
 
   ResidualNoise residual_noise(double sigma_intensity) const {
@@ -199,7 +200,8 @@ struct DirectAligner {
     squares_.resize(p.size());
     extra_.resize(p.size());
     std::size_t n = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
+    const std::size_t step = std::max<std::size_t>(1, p.size() / kScalePoints);
+    for (std::size_t i = 0; i < p.size(); i += step) {
       squares_[n] = p.r[i] * p.r[i];
       extra_[n] = p.extra[i];
       n += p.seen(i) && !(i < excluded_.size() && excluded_[i]);
@@ -210,7 +212,9 @@ struct DirectAligner {
       const float s2 = static_cast<float>(sigma * sigma);
       scratch_.resize(n);
       for (std::size_t i = 0; i < n; ++i) scratch_[i] = squares_[i] / (s2 + extra_[i]);
+      const double before = sigma;
       sigma = std::max(settings.min_intensity_sigma, sigma * sigma_of_median_square());
+      if (std::abs(sigma - before) < kSameScale * before) break;
     }
     return sigma;
   }
@@ -218,17 +222,29 @@ struct DirectAligner {
     return static_cast<double>(kSigmaOfMedian * std::sqrt(median_of_magnitudes(scratch_)));
   }
 
-  /// Gauss-Newton on one level, twice: the residual scale follows the first convergence.
+  /// H and g of [A x; a; b], the twist about the axes turned by R, from those of [x; a; b].
+  static void turn(const Matrix3<double>& R, Matrix8& H) {
+    for (const int k : {0, 3}) H.middleCols<3>(k) = (H.middleCols<3>(k) * R).eval();
+    for (const int k : {0, 3}) H.middleRows<3>(k) = (R.transpose() * H.middleRows<3>(k)).eval();
+  }
+  static void turn(const Matrix3<double>& R, Vector8& g) {
+    for (const int k : {0, 3}) g.segment<3>(k) = (R.transpose() * g.segment<3>(k)).eval();
+  }
+
+  /// Gauss-Newton on one level, twice on level 0: the residual scale follows the first convergence.
   template <typename Camera>
-  void refine(const AlignProblem<Camera>& problem, int level, Alignment& a) {
+  void refine(const AlignProblem<Camera>& problem, int level, Alignment& a, bool want_covariance) {
     const Camera camera = problem.camera.at_level(level);
     const Image<std::uint8_t>& image = problem.image.levels[static_cast<std::size_t>(level)];
     const DepthTerm depth = problem.depth_at(level);
     std::optional<Eigen::LDLT<Matrix8>> last;  // of the last pose that was accepted
     std::array<Vector8, 4> modes;
+    Matrix3<double> modes_R;
     for (int round = 0; round < 2; ++round) {
+      const double scale_before = a.sigma_intensity;
       residuals(problem, level, a.state, a.sigma_intensity);
       a.sigma_intensity = scale_of_residuals();
+      if (round > 0 && std::abs(a.sigma_intensity - scale_before) < kSameScale * scale_before) break;
       const ResidualNoise noise = residual_noise(a.sigma_intensity);
       AlignState accepted = a.state;
       double accepted_cost = std::numeric_limits<double>::infinity();
@@ -239,9 +255,7 @@ struct DirectAligner {
         const Vector3<double> moved =
             problem.centred ? Vector3<double>(T_o * problem.centroid) : Vector3<double>::Zero();
         const SE3d A = problem.T_outer * SE3d::translation(moved);
-        Matrix8 Ad = Matrix8::Identity();
-        Ad.block<3, 3>(0, 0) = Ad.block<3, 3>(3, 3) = A.R;
-        const NormalEquations sums =
+        NormalEquations sums =
             reduction.linearize(problem.points, level, camera, image, a.state, noise, depth, excluded_.data(), A.t);
         if (sums.seen < 10) {
           a.state = accepted;
@@ -249,8 +263,9 @@ struct DirectAligner {
         }
         ++a.iterations;
         a.seen = sums.seen;
-        Matrix8 H = Ad.transpose() * sums.H * Ad;
-        Vector8 g = Ad.transpose() * sums.g;
+        Matrix8& H = sums.H;
+        Vector8& g = sums.g;
+        turn(A.R, H), turn(A.R, g);
         double cost = sums.cost;
         if (problem.centred) {
           Vector6<double> p;
@@ -278,22 +293,25 @@ struct DirectAligner {
         const Vector8 x = -solver.solve(g);
         a.H = H;
         last = solver;
-        for (std::size_t m = 0; m < 4; ++m) modes[m] = Ad.transpose() * sums.modes[m];
+        modes = sums.modes, modes_R = A.R;
         if (!x.allFinite()) break;
         const double decrease = -g.dot(x);  // x' H x: the step in squared sigmas
         a.state.T = (A * SE3d::exp(x.head<6>()) * A.inverse() * a.state.T).normalized();
         a.state.gain += x[6];
         a.state.offset += x[7];
-        if (decrease < 0.02) {
+        if (decrease < (level > 0 ? kCoarseStep : kStep)) {
           a.converged = true;
           break;
         }
       }
       if (level > 0) break;
     }
-    if (!last) return;
+    if (!last || !want_covariance) return;
     a.covariance = last->solve(Matrix8::Identity());
-    for (std::size_t m = 0; m < 4; ++m) a.depth_modes[m] = -last->solve(modes[m]);
+    for (std::size_t m = 0; m < 4; ++m) {
+      turn(modes_R, modes[m]);
+      a.depth_modes[m] = -last->solve(modes[m]);
+    }
   }
 
   PointResiduals residuals_;

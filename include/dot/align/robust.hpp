@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dot/abi.hpp"
+#include "dot/lanes.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -34,6 +35,28 @@ inline float tukey_cost(float e, float c) {
   return c * c / 6 * (1 - k * k * k);
 }
 
+/// Sum of Tukey's costs of `n` residuals r with the variances s2 + extra; `extra` may be null.
+inline double tukey_cost_sum(const float* r, const float* extra, std::size_t n, float s2, float c) {
+  using Lanes = PortableLanes;
+  using F = Lanes::F;
+  constexpr std::size_t W = Lanes::W, kFloatSums = 64;  // terms of each lane that are added up in float
+  const F one = Lanes::set(1), zero = Lanes::set(0), sigma2 = Lanes::set(s2), to_c = Lanes::set(1 / (c * c));
+  double kept = 0;  // of 1 - cost / (c^2 / 6)
+  std::size_t i = 0;
+  while (i + W <= n) {
+    F sum = zero;
+    for (const std::size_t end = std::min(n - n % W, i + kFloatSums * W); i < end; i += W) {
+      const F e = Lanes::load(r + i), v = extra ? Lanes::add(sigma2, Lanes::load(extra + i)) : sigma2;
+      const F k = Lanes::max(zero, Lanes::sub(one, Lanes::mul(Lanes::div(Lanes::mul(e, e), v), to_c)));
+      sum = Lanes::fma(Lanes::mul(k, k), k, sum);
+    }
+    kept += static_cast<double>(Lanes::sum(sum));
+  }
+  double sum = static_cast<double>(c * c / 6) * (static_cast<double>(i) - kept);
+  for (; i < n; ++i) sum += static_cast<double>(tukey_cost(r[i] / std::sqrt(s2 + (extra ? extra[i] : 0)), c));
+  return sum;
+}
+
 /// The middle one of values >= 0, the upper one of two; 0 of none. `values` is reordered or shortened.
 ///
 /// The bits of such floats are in the order of their values. Counting the values by their leading bits (eight bins an
@@ -42,15 +65,17 @@ inline float median_of_magnitudes(std::vector<float>& values) {
   if (values.empty()) return 0;
   std::size_t rank = values.size() / 2;
   if (values.size() > 100) {
-    constexpr std::size_t kBins = 1 << 11;
+    constexpr std::size_t kBins = 1 << 11, kGroup = 1 << 5;
     const auto bin_of = [](float value) {
       std::uint32_t bits;
       std::memcpy(&bits, &value, sizeof bits);
       return (bits >> 20) & (kBins - 1);
     };
     std::array<std::uint32_t, kBins> counts{};
-    for (const float value : values) ++counts[bin_of(value)];
+    std::array<std::uint32_t, kBins / kGroup> groups{};
+    for (const float value : values) ++counts[bin_of(value)], ++groups[bin_of(value) / kGroup];
     std::uint32_t bin = 0;
+    for (std::uint32_t g = 0; rank >= groups[g]; bin += kGroup) rank -= groups[g++];
     while (rank >= counts[bin]) rank -= counts[bin++];
     std::size_t kept = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {

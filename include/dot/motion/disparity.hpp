@@ -3,8 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <vector>
+#include <cstddef>
 
 #include "dot/camera/concept.hpp"
 #include "dot/lie/se3.hpp"
@@ -19,17 +20,16 @@ struct DynamicDisparity {
 };
 
 /// @param centroid of the object, reference camera axes; @param sigma of the twist of T_o about the moved centroid.
-/// @param distances a buffer
 template <typename Camera>
 DynamicDisparity dynamic_disparity(const PointSet& points, const Camera& camera, const SE3d& T_c, const SE3d& T_o,
-                                   const Vector3<double>& centroid, const Matrix6<double>& sigma,
-                                   std::vector<double>& distances) {
+                                   const Vector3<double>& centroid, const Matrix6<double>& sigma) {
   DynamicDisparity out;
-  distances.clear();
-  distances.reserve(points.u.size());
+  std::array<double, 128> distances;  // of many points so many tell
+  std::size_t n = 0;
   double noise = 0;
   const Vector3<double> c = T_o * centroid;
-  for (std::size_t i = 0; i < points.u.size(); ++i) {
+  const std::size_t step = std::max<std::size_t>(1, (points.u.size() + distances.size() - 1) / distances.size());
+  for (std::size_t i = 0; i < points.u.size(); i += step) {
     if (!(points.q[i] > 0)) continue;
     const double z = 1 / static_cast<double>(points.q[i]);
     const Vector3<double> X(points.x[i] * z, points.y[i] * z, z);
@@ -37,26 +37,18 @@ DynamicDisparity dynamic_disparity(const PointSet& points, const Camera& camera,
     if (still.z() < 1e-3 || moved.z() < 1e-3) continue;
     Eigen::Matrix<double, 2, 3> J;
     const Vector2<double> p = camera.template project<double>(moved, &J);
-    distances.push_back((p - camera.template project<double>(still)).norm());
+    distances[n++] = (p - camera.template project<double>(still)).norm();
     Eigen::Matrix<double, 3, 6> by_x;
     by_x << Matrix3<double>::Identity(), -so3::hat(Vector3<double>(in_reference - c));
     const Eigen::Matrix<double, 2, 6> G = J * T_c.R * by_x;
     noise += (G * sigma * G.transpose()).trace();
   }
-  if (distances.empty()) return out;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
+  if (n == 0) return out;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(n / 2);
+  std::nth_element(distances.begin(), middle, distances.begin() + static_cast<std::ptrdiff_t>(n));
   out.median_px = *middle;
-  out.noise_px = std::sqrt(std::max(0.0, noise / static_cast<double>(distances.size())));
+  out.noise_px = std::sqrt(std::max(0.0, noise / static_cast<double>(n)));
   return out;
-}
-
-/// The same with a buffer of its own.
-template <typename Camera>
-DynamicDisparity dynamic_disparity(const PointSet& points, const Camera& camera, const SE3d& T_c, const SE3d& T_o,
-                                   const Vector3<double>& centroid, const Matrix6<double>& sigma) {
-  std::vector<double> distances;
-  return dynamic_disparity(points, camera, T_c, T_o, centroid, sigma, distances);
 }
 
 DOT_END_NAMESPACE

@@ -80,6 +80,7 @@ struct CameraMotionEstimator {
  private:
   static constexpr int kSearchLevel = 2;          ///< where the steps of the search are a few pixels
   static constexpr std::size_t kSearched = 6;     ///< starts that it gives
+  static constexpr int kShifts = 6;               ///< to either side
   static constexpr double kAnotherMinimum = 5.0;  ///< pixels between the points' places at this one and at another
 
   /// Of translations along each axis, at equal exposure since `state` may be anything, the best of those that fit
@@ -114,8 +115,9 @@ struct CameraMotionEstimator {
     return starts;
   }
 
-  /// The two best of the starts along the least determined direction, on the road that of travel: as pure translations,
-  /// and with rotation, gain and offset following as the covariance says.
+  /// Starts that may lead to other minima along the least determined direction, on the road that of travel: as pure
+  /// translations, and with rotation, gain and offset following as the covariance says, the two best of those that fit
+  /// better than their neighbours. Where the cost only rises, there is none.
   template <typename Camera, typename Aligner>
   std::vector<AlignState> shifted(const AlignProblem<Camera>& problem, const Alignment& a, int level, double sigma,
                                   Aligner& aligner) const {
@@ -126,19 +128,32 @@ struct CameraMotionEstimator {
     Vector8 alone = Vector8::Zero();
     alone.head<3>() = direction;
     if (!follow.allFinite()) return {};
-    std::vector<std::pair<double, AlignState>> starts;
     const double reach = std::min(settings.restart_shift, 0.1 * median_depth(problem.points));
+    const auto start = [&](const Vector8& x, int i) {
+      const Vector8 shift = reach * i / kShifts * x;
+      return AlignState{SE3d::exp(shift.head<6>()) * a.state.T, a.state.gain + shift[6], a.state.offset + shift[7]};
+    };
+    const auto cost = [&](const Vector8& x, int i) {
+      return std::abs(i) > kShifts ? std::numeric_limits<double>::infinity()
+                                   : aligner.rank(problem, start(x, i), level, sigma);
+    };
+    const double middle = cost(alone, 0);
+    std::vector<std::pair<double, AlignState>> found;
     for (const Vector8& x : {alone, follow})
-      for (int i = -6; i <= 6; ++i) {
-        if (i == 0) continue;
-        const Vector8 shift = reach * i / 6 * x;
-        const AlignState start{SE3d::exp(shift.head<6>()) * a.state.T, a.state.gain + shift[6],
-                               a.state.offset + shift[7]};
-        starts.push_back({aligner.rank(problem, start, level, sigma), start});
+      for (const int side : {-1, 1}) {
+        double before = middle, here = cost(x, side);
+        for (int i = 1; i <= kShifts; ++i) {
+          const double after = cost(x, side * (i + 1));
+          if (std::isfinite(here) && here <= before && here <= after) found.push_back({here, start(x, side * i)});
+          before = here, here = after;
+        }
       }
-    std::partial_sort(starts.begin(), starts.begin() + 2, starts.end(),
+    const auto keep = static_cast<std::ptrdiff_t>(std::min<std::size_t>(found.size(), 2));
+    std::partial_sort(found.begin(), found.begin() + keep, found.end(),
                       [](const auto& l, const auto& r) { return l.first < r.first; });
-    return {starts[0].second, starts[1].second};
+    std::vector<AlignState> starts;
+    for (std::ptrdiff_t i = 0; i < keep; ++i) starts.push_back(found[static_cast<std::size_t>(i)].second);
+    return starts;
   }
 
   static double median_depth(const PointSet& points) {
@@ -151,6 +166,10 @@ struct CameraMotionEstimator {
   /// A later candidate must win by a margin: equal minima should not alternate.
   template <typename Camera, typename Aligner>
   Alignment best(const AlignProblem<Camera>& problem, std::vector<Alignment>& candidates, Aligner& aligner) const {
+    if (candidates.size() == 1) {
+      aligner.finish(problem, candidates[0]);
+      return candidates[0];
+    }
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
     std::vector<double> costs;

@@ -141,7 +141,8 @@ class Dot {
   void find_again();
   void follow_and_decide(std::vector<TrackT*>& tracks);
   void start_tracks();
-  void decide(TrackT& object);
+  void look_back(TrackT& object);
+  void decide(TrackT& object, const Matrix3<double>& R_cur_fit, double dt);
   void place_masks();
   void take_outline(TrackT& object, const Image<float>& inverse_depth);
   std::vector<TrackT*>& far_to_near();
@@ -176,6 +177,7 @@ class Dot {
   bool has_previous_ = false;
 
   Current current_;
+  Current previous_;  ///< its images, unless they are in history_
   CameraState camera_state_;
   PointSet background_;    ///< of the previous frame, or of the last one that had points
   SE3d T_cur_background_;  ///< from that frame to the current one; the identity once `track` has new points
@@ -186,7 +188,7 @@ class Dot {
   RecyclingList<Observed> observed_;
   bool segmented_ = false;
   SegmentedFrame segmented_frame_;  ///< the last one
-  bool ids_are_segmented_ = false;  ///< `ids_` are its ids, which it takes over when there are new ones
+  bool segmented_before_ = false;   ///< it is the previous frame, whose images it takes over with the next labels
   SE3d T_cur_segmented_;            ///< camera motion since
   FrameHistory<Past> history_;      ///< whose masks may still come
   Image<std::uint8_t> nearer_;      ///< where objects nearer than the one being followed were found
@@ -202,6 +204,7 @@ class Dot {
   SplitWorkspace split_workspace_;
   Image<std::uint8_t> blocked_;
   std::vector<SE3d> camera_starts_, object_starts_;
+  ObjectReference here_;  ///< the object that `look_back` looks at
   std::vector<TrackT*> selected_;  ///< by `tracks_that`
   /// Buffers of what continues tracks by observed masks.
   struct {

@@ -22,6 +22,7 @@ class FrameHistory {
 
   auto begin() { return frames_.begin(); }
   auto end() { return frames_.end(); }
+  bool empty() const { return frames_.empty(); }
 
  private:
   RecyclingList<Past> frames_;

@@ -68,6 +68,19 @@ struct ObjectFit {
   MotionEstimate motion;
 
   bool ok() const { return reason == Reason::None; }
+
+  /// The same motion forwards, of a fit to an image taken *before* the reference; in the axes of that image's camera.
+  /// @param C camera motion from the reference to that image.
+  ObjectFit reversed(const SE3d& C) const {
+    ObjectFit out = *this;
+    out.T_o = C * T_o.inverse() * C.inverse();
+    Matrix6<double> turn = Matrix6<double>::Zero();
+    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = C.R * T_o.R.transpose();
+    out.sigma = turn * sigma * turn.transpose();
+    out.motion.velocity = -(C.R * motion.velocity);
+    out.motion.covariance = C.R * motion.covariance * C.R.transpose();
+    return out;
+  }
 };
 
 /// Motion T_o of an object with T_c fixed (paper, section 3.3, eq. 4-5), about its centroid, with a weak depth residual
@@ -98,13 +111,17 @@ struct ObjectMotionEstimator {
     std::vector<Alignment>& candidates = minima.found;
     if (fine > 0)
       for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);
-    double sigma = std::numeric_limits<double>::infinity();
-    for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
     // A later start must win by a margin: equal minima should not alternate.
     std::vector<std::pair<double, Alignment*>> order;
-    for (Alignment& a : candidates) {
-      const double cost = aligner.rank(problem, a.state, 0, sigma) * (order.empty() ? 0.98 : 1);
-      if (std::isfinite(cost)) order.push_back({cost, &a});
+    if (candidates.size() == 1) {
+      order.push_back({0, &candidates[0]});
+    } else {
+      double sigma = std::numeric_limits<double>::infinity();
+      for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
+      for (Alignment& a : candidates) {
+        const double cost = aligner.rank(problem, a.state, 0, sigma) * (order.empty() ? 0.98 : 1);
+        if (std::isfinite(cost)) order.push_back({cost, &a});
+      }
     }
     std::stable_sort(order.begin(), order.end(), [](const auto& l, const auto& r) { return l.first < r.first; });
     // The best minimum that holds before the checks; the best of all says why there is none.

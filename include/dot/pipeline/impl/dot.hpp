@@ -82,6 +82,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::take_time(Stage stage) {
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::build(const Frame& frame) {
   const double interval = frame.timestamp - current_.timestamp;
+  std::swap(previous_, current_);
   current_.dt = has_previous_ ? interval : 0;
   if (current_.dt > options_.max_gap) {  // too long ago to align to: keep the ids, drop what was seen
     current_.dt = 0;

@@ -20,7 +20,6 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Dot<Camera, Classifier, Noise, Aligner>::await_masks(const Frame& frame) {
   const double oldest = current_.timestamp - options_.mask.late_seconds - 1e-6;
   history_.drop_before(oldest);
-  if (segmented_) std::swap(segmented_frame_.inverse_depth, current_.depth.levels[0]);  // the next frame has its own
   if (segmented_ || !(options_.mask.late_seconds > 0)) {
     history_.clear();
     for (TrackT& t : tracks_) t.path.clear();
@@ -70,7 +69,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
     t.visible = t.observed || t.mask.area >= options_.mask.min_pixels;
   }
   paint(far_to_near(), segmented_frame_.ids);
-  ids_are_segmented_ = false;
+  segmented_before_ = false;
   segmented_frame_.inverse_depth = then.frame.inverse_depth();
   T_cur_segmented_ = then.since.T_cur_ref;
 

@@ -172,6 +172,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
   start_tracks();
   for (TrackT& t : tracks_) {
     if (t.observed) {
+      if (t.references.empty() && !t.fit.ok()) look_back(t);
       t.mask = *t.observed;
       take_outline(t, current_.inverse_depth());
       t.T_cur_outline = {};
@@ -257,7 +258,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::paint(const std::vector<TrackT*>& 
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::label() {
-  if (std::exchange(ids_are_segmented_, segmented_)) std::swap(ids_, segmented_frame_.ids);
+  if (std::exchange(segmented_before_, segmented_)) {
+    std::swap(segmented_frame_.ids, ids_);
+    std::swap(segmented_frame_.inverse_depth, previous_.depth.levels[0]);
+  }
   labels_.resize(camera_.width(), camera_.height());
   labels_.fill(0);
   const std::vector<TrackT*>& order = far_to_near();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "dot/pipeline/dot.hpp"
 
@@ -23,7 +24,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow_and_decide(std::vector<Trac
   nearer_.fill(0);
   for (TrackT* object : order) {
     follow(*object);
-    decide(*object);
+    decide(*object, camera_state_.T_cur_prev.R, current_.dt);
     advance(*object);
     const Mask& mask = object->observed ? *object->observed : object->predicted.mask;
     if (object->candidate || (!object->fit.ok() && !object->observed)) continue;
@@ -105,6 +106,37 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
   }
 }
 
+/// The motion of an object that no earlier mask shows, from this frame back to the one before: its masks begin here,
+/// its pixels mostly do not.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object) {
+  if (!camera_state_.known()) return;
+  const Current& before = history_.empty() ? previous_ : std::prev(history_.end())->frame;
+  const SE3d T_prev_cur = camera_state_.T_cur_prev.inverse();
+  const AlignState& change = camera_state_.alignment.state;
+  ObjectReference& r = here_;
+  r.restart(current_.timestamp);
+  if (make_reference(selector(current_), *object.observed, object.observed_centre, r) != Reason::None) return;
+  r.advance(T_prev_cur, T_prev_cur.adjoint() * camera_state_.covariance * T_prev_cur.adjoint().transpose(),
+            1 / change.gain, -change.offset / change.gain);
+  const ObjectScene<Camera> scene{before.pyramid, camera_, before.depth, {}};
+  object_starts_.assign(1, SE3d{});
+  for (const SE3d& T : object_estimator.search(r, scene, current_.dt, depth_noise, aligner)) object_starts_.push_back(T);
+  const ObjectFit fit = object_estimator.fit(r, scene, object_starts_, {}, current_.dt, depth_noise, aligner);
+  if (!fit.ok()) return;
+  object.fit = fit.reversed(T_prev_cur);
+  object.T_o = object.fit.T_o;
+  object.has_motion = true;
+  object.T_o_last = camera_state_.T_cur_prev * object.T_o * T_prev_cur;
+  // What is believed already was carried to this frame, so the evidence comes in its axes.
+  const Matrix3<double>& R_c = camera_state_.T_cur_prev.R;
+  object.decisive = object.fit.motion;
+  object.decisive.velocity = R_c * object.decisive.velocity;
+  object.decisive.covariance = R_c * object.decisive.covariance * R_c.transpose();
+  object.has_decisive = fit.phi >= options_.object.min_phi;
+  decide(object, Matrix3<double>::Identity(), 0);
+}
+
 /// The fused velocity, in the axes of a reference; nothing where it is not known well enough to refuse a fit for it.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 KnownVelocity Dot<Camera, Classifier, Noise, Aligner>::known_velocity(const TrackT& object,
@@ -175,7 +207,7 @@ Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object) {
+void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object, const Matrix3<double>& R_cur_fit, double dt) {
   if (object.fit.ok()) {
     const KnownVelocity before{object.velocity, object.velocity_covariance, current_.timestamp - object.trust.last_fit};
     object.trust.accept(
@@ -185,8 +217,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object) {
     object.trust.refuse();
   }
   if (object.discovered) confirm(object);
-  const Decision d = classifier(object.memory, object.has_decisive ? &object.decisive : nullptr,
-                                camera_state_.T_cur_prev.R, current_.dt);
+  const Decision d =
+      classifier(object.memory, object.has_decisive ? &object.decisive : nullptr, R_cur_fit, dt);
   object.state = object.always_dynamic ? State::Moving : d.state;
   object.p_moving = object.always_dynamic ? 1 : d.p_moving;
   object.velocity = d.velocity;

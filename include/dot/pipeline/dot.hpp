@@ -204,7 +204,7 @@ class Dot {
   SplitWorkspace split_workspace_;
   Image<std::uint8_t> blocked_;
   std::vector<SE3d> camera_starts_, object_starts_;
-  ObjectReference here_;  ///< the object that `look_back` looks at
+  ObjectReference here_;           ///< the object that `look_back` looks at
   std::vector<TrackT*> selected_;  ///< by `tracks_that`
   /// Buffers of what continues tracks by observed masks.
   struct {

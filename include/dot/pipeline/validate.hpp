@@ -12,24 +12,11 @@
 #include <type_traits>
 
 #include "dot/abi.hpp"
+#include "dot/pipeline/field_name.hpp"
 #include "dot/pipeline/frame.hpp"
 #include "dot/pipeline/options.hpp"
 
 DOT_BEGIN_NAMESPACE
-
-/// Name of a field, put together only where something is wrong with it: `track` takes no memory otherwise.
-struct FieldName {
-  const char* field;
-  const char* member = "";
-  std::ptrdiff_t instance = -1;  ///< of `field`, if it is one of its instances
-
-  FieldName(const char* name) : field(name) {}  // NOLINT(google-explicit-constructor): as a string would be
-  FieldName(const char* name, const char* its_member, std::ptrdiff_t its_instance = -1)
-      : field(name), member(its_member), instance(its_instance) {}
-  operator std::string() const {
-    return field + (instance < 0 ? std::string() : ".instances[" + std::to_string(instance) + "]") + member;
-  }
-};
 
 /// Throws std::invalid_argument("field: what is wrong").
 [[noreturn]] inline void bad_field(const std::string& field, const std::string& what) {

@@ -85,7 +85,7 @@ inline std::ptrdiff_t integrate(double low, double high, Image<float>& measured,
     float* row = measured.row(v);
     for (int u = 0; u < width; ++u) {
       const double q = static_cast<double>(row[u]);
-      row[u] = (q >= low) & (q <= high) ? row[u] : 0;
+      row[u] = ((q >= low) & (q <= high)) ? row[u] : 0;
     }
     const double* sums_above = workspace.sums.row(v);
     const int* counts_above = workspace.counts.row(v);

@@ -127,7 +127,7 @@ void check_split(PixelFormat format, T largest) {
   Split found;
   for (int round = 0; round < 20; ++round) {
     std::uniform_int_distribution<std::size_t> pick(0, round % 2 == 0 ? choice.size() - 1 : 2);
-    std::vector<T> pixels(stride * height, T{77});
+    std::vector<T> pixels(stride * height, T{9});
     T id = 0;
     for (int v = 0; v < height; ++v)
       for (int u = 0; u < width; ++u)

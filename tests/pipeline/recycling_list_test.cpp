@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <deque>
 #include <random>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -78,11 +78,11 @@ TEST(RecyclingList, IsAListLikeAnyOther) {
 
 TEST(RecyclingList, GivesTheMemoryOfDroppedElementsToNewOnes) {
   RecyclingList<Item> list;
-  std::set<const char*> seen;
+  int taken = 0;
   for (int i = 0; i < 40; ++i) {
     Item& item = i % 2 ? list.push_front() : list.push_back();
+    taken += item.buffer.capacity() < 1000;
     item.buffer.resize(1000);
-    seen.insert(item.buffer.data());
     if (list.size() < 4) continue;
     switch (i % 3) {
       case 0: list.pop_front(); break;
@@ -90,7 +90,7 @@ TEST(RecyclingList, GivesTheMemoryOfDroppedElementsToNewOnes) {
       default: list.drop_if([&](const Item& other) { return &other == &list[2]; });
     }
   }
-  EXPECT_EQ(seen.size(), 4u);
+  EXPECT_EQ(taken, 4);
 }
 
 TEST(RecyclingList, LeavesElementsWhereTheyAre) {

@@ -121,7 +121,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object) {
             1 / change.gain, -change.offset / change.gain);
   const ObjectScene<Camera> scene{before.pyramid, camera_, before.depth, {}};
   object_starts_.assign(1, SE3d{});
-  for (const SE3d& T : object_estimator.search(r, scene, current_.dt, depth_noise, aligner)) object_starts_.push_back(T);
+  for (const SE3d& T : object_estimator.search(r, scene, current_.dt, depth_noise, aligner))
+    object_starts_.push_back(T);
   const ObjectFit fit = object_estimator.fit(r, scene, object_starts_, {}, current_.dt, depth_noise, aligner);
   if (!fit.ok()) return;
   object.fit = fit.reversed(T_prev_cur);
@@ -217,8 +218,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object, const Matri
     object.trust.refuse();
   }
   if (object.discovered) confirm(object);
-  const Decision d =
-      classifier(object.memory, object.has_decisive ? &object.decisive : nullptr, R_cur_fit, dt);
+  const Decision d = classifier(object.memory, object.has_decisive ? &object.decisive : nullptr, R_cur_fit, dt);
   object.state = object.always_dynamic ? State::Moving : d.state;
   object.p_moving = object.always_dynamic ? 1 : d.p_moving;
   object.velocity = d.velocity;

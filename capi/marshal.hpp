@@ -15,12 +15,15 @@
 
 #include "dot/dot.h"
 #include "dot/pipeline/exclusion.hpp"
+#include "dot/pipeline/field_name.hpp"
 #include "dot/tracker.hpp"
 
 /// @file
 /// Between the structs of dot.h and those of the C++ interface: sizes checked, fields named in errors.
 
 namespace dot_c {
+
+using dot::FieldName;
 
 [[noreturn]] inline void invalid(const std::string& message) { throw std::invalid_argument(message); }
 
@@ -33,7 +36,7 @@ template <>
 inline constexpr std::uint32_t first_size<dot_frame> = offsetof(dot_frame, camera_prior);
 
 template <typename T>
-void check_size(std::uint32_t size, const std::string& name) {
+void check_size(std::uint32_t size, const FieldName& name) {
   if (size >= first_size<T> && size <= sizeof(T)) return;
   invalid(name + ".struct_size is " + std::to_string(size) + ", must be sizeof, " + std::to_string(sizeof(T)) +
           (size > sizeof(T) ? " in this library: is the header newer?" : ""));
@@ -41,7 +44,7 @@ void check_size(std::uint32_t size, const std::string& name) {
 
 /// Copies a struct of the caller; fields that its header did not have are zero.
 template <typename T>
-T read(const T* in, const std::string& name) {
+T read(const T* in, const FieldName& name) {
   static_assert(std::is_trivial_v<T>);
   if (in == nullptr) invalid(name + " is NULL");
   check_size<T>(in->struct_size, name);
@@ -60,11 +63,11 @@ void write(const T& value, T* out, const char* name) {
   out->struct_size = size;
 }
 
-inline void check_reserved(std::uint32_t value, const std::string& name) {
+inline void check_reserved(std::uint32_t value, const FieldName& name) {
   if (value != 0) invalid(name + ".reserved is " + std::to_string(value) + ", must be 0");
 }
 
-inline void check_flags(std::uint32_t flags, std::uint32_t known, const std::string& name) {
+inline void check_flags(std::uint32_t flags, std::uint32_t known, const FieldName& name) {
   if ((flags & ~known) != 0) invalid(name + ".flags is " + std::to_string(flags) + ", has unknown bits");
 }
 
@@ -89,19 +92,21 @@ constexpr Format formats[] = {
 };
 
 inline const Format& find_format(std::uint32_t value, std::initializer_list<std::uint32_t> allowed,
-                                 const std::string& name) {
+                                 const FieldName& name) {
+  const auto allows = [&allowed](const Format& format) {
+    return std::find(allowed.begin(), allowed.end(), format.value) != allowed.end();
+  };
+  for (const Format& format : formats)
+    if (format.value == value && allows(format)) return format;
   std::string list;
-  for (const Format& format : formats) {
-    if (std::find(allowed.begin(), allowed.end(), format.value) == allowed.end()) continue;
-    if (format.value == value) return format;
-    list += std::string(list.empty() ? "" : ", ") + "DOT_FORMAT_" + format.name;
-  }
+  for (const Format& format : formats)
+    if (allows(format)) list += std::string(list.empty() ? "" : ", ") + "DOT_FORMAT_" + format.name;
   invalid(name + ".format is " + std::to_string(value) + ", must be one of " + list);
 }
 
 /// Checks what could make us read outside the caller's memory, and what only exists in C; dot::Tracker checks the rest.
 inline dot::ImageRef read_image(const dot_image* in, std::initializer_list<std::uint32_t> allowed,
-                                const std::string& name) {
+                                const FieldName& name) {
   const dot_image image = read(in, name);
   const Format& format = find_format(image.format, allowed, name);
   if (image.data == nullptr) invalid(name + ".data is NULL");
@@ -124,8 +129,8 @@ inline dot::ImageRef read_image(const dot_image* in, std::initializer_list<std::
 }
 
 /// @param masks the name of what holds the instance.
-inline dot::Instance read_instance(const dot_instance* in, bool has_ids, const std::string& masks, std::size_t index) {
-  const std::string name = masks + ".instances[" + std::to_string(index) + "]";
+inline dot::Instance read_instance(const dot_instance* in, bool has_ids, const char* masks, std::ptrdiff_t index) {
+  const FieldName name(masks, "", index);
   const dot_instance instance = read(in, name);
   check_flags(instance.flags, DOT_INSTANCE_ALWAYS_DYNAMIC, name);
   check_reserved(instance.reserved, name);
@@ -133,7 +138,7 @@ inline dot::Instance read_instance(const dot_instance* in, bool has_ids, const s
   dot::Instance out;
   out.id = instance.id;
   if (instance.mask != nullptr)
-    out.mask = read_image(instance.mask, {DOT_FORMAT_GREY8, DOT_FORMAT_ID8}, name + ".mask");
+    out.mask = read_image(instance.mask, {DOT_FORMAT_GREY8, DOT_FORMAT_ID8}, {masks, ".mask", index});
   out.x = instance.x;
   out.y = instance.y;
   out.class_id = instance.class_id;
@@ -142,22 +147,23 @@ inline dot::Instance read_instance(const dot_instance* in, bool has_ids, const s
   return out;
 }
 
-inline dot::Masks read_masks(const dot_masks* in, const std::string& name, std::vector<dot::Instance>& instances) {
+inline dot::Masks read_masks(const dot_masks* in, const char* name, std::vector<dot::Instance>& instances) {
   const dot_masks masks = read(in, name);
   dot::Masks out;
   if (masks.ids != nullptr)
-    out.ids = read_image(masks.ids, {DOT_FORMAT_ID8, DOT_FORMAT_ID16, DOT_FORMAT_ID32}, name + ".ids");
+    out.ids = read_image(masks.ids, {DOT_FORMAT_ID8, DOT_FORMAT_ID16, DOT_FORMAT_ID32}, {name, ".ids"});
   instances.clear();
   if (masks.instance_count > 0) {
-    if (masks.instances == nullptr) invalid(name + ".instances is NULL, instance_count is not 0");
+    if (masks.instances == nullptr) invalid(FieldName(name) + ".instances is NULL, instance_count is not 0");
     // The caller's elements may be shorter than ours: their own size is the step.
     const std::uint32_t step = masks.instances->struct_size;
     const auto* bytes = reinterpret_cast<const unsigned char*>(masks.instances);
     for (std::size_t i = 0; i < masks.instance_count; ++i) {
       const auto* instance = reinterpret_cast<const dot_instance*>(bytes + i * step);
-      instances.push_back(read_instance(instance, masks.ids != nullptr, name, i));
+      const auto index = static_cast<std::ptrdiff_t>(i);
+      instances.push_back(read_instance(instance, masks.ids != nullptr, name, index));
       if (instance->struct_size != step)
-        invalid(name + ".instances[" + std::to_string(i) + "].struct_size differs from that of element 0");
+        invalid(FieldName(name, "", index) + ".struct_size differs from that of element 0");
     }
   }
   out.instances = {instances.data(), instances.size()};

@@ -22,7 +22,8 @@ std::vector<int> associate(const std::vector<Mask>& predicted, const std::vector
   std::vector<dot::Outline> p, o;
   for (const Mask& mask : predicted) p.push_back({&mask, 0});
   for (const Mask& mask : observed) o.push_back({&mask, 0});
-  return dot::associate(p, o, settings);
+  dot::AssociationWorkspace workspace;
+  return dot::associate(p, o, settings, workspace);
 }
 
 using Partners = std::vector<int>;
@@ -74,7 +75,8 @@ TEST(Association, ASpeckUnderALargeMaskIsNotContinuedByIt) {
 TEST(Association, WhatPassesBehindIsAnotherThing) {
   const Mask near = rectangle(0, 0, 60, 20), far = rectangle(40, 5, 15, 10);
   const auto partner = [](const Mask& a, double qa, const Mask& b, double qb) {
-    return dot::associate({{&a, qa}}, {{&b, qb}}, {})[0];
+    dot::AssociationWorkspace workspace;
+    return dot::associate({{&a, qa}}, {{&b, qb}}, {}, workspace)[0];
   };
   EXPECT_EQ(partner(far, 0.02, near, 0.1), -1);
   EXPECT_EQ(partner(near, 0.1, far, 0.02), -1);

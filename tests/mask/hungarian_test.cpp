@@ -15,6 +15,11 @@ namespace {
 
 constexpr double kForbidden = std::numeric_limits<double>::infinity();
 
+std::vector<int> assign(const std::vector<double>& cost, int rows, int cols) {
+  dot::AssignWorkspace workspace;
+  return dot::assign(cost, rows, cols, workspace);
+}
+
 struct Value {
   int pairs = 0;
   double cost = 0;
@@ -69,7 +74,7 @@ void compare_with_brute_force(double low, double high, double forbidden_share, b
     for (double& c : cost) c = forbid(random) ? kForbidden : whole_numbers ? std::round(draw(random)) : draw(random);
     std::vector<char> taken(static_cast<std::size_t>(cols), 0);
     const Value expected = brute_force(cost, rows, cols, 0, taken);
-    const Value found = value_of(dot::assign(cost, rows, cols), cost, rows, cols);
+    const Value found = value_of(assign(cost, rows, cols), cost, rows, cols);
     EXPECT_EQ(found.pairs, expected.pairs) << rows << 'x' << cols;
     EXPECT_NEAR(found.cost, expected.cost, 1e-9 * std::max(std::abs(low), std::abs(high))) << rows << 'x' << cols;
   }
@@ -85,15 +90,15 @@ TEST(Hungarian, EqualsBruteForceWithLargeCosts) { compare_with_brute_force(1e8, 
 TEST(Hungarian, TakesTheDetourThatGreedyMisses) {
   const std::vector<double> cost{1, 2,  //
                                  2, 100};
-  EXPECT_EQ(dot::assign(cost, 2, 2), (std::vector<int>{1, 0}));
+  EXPECT_EQ(assign(cost, 2, 2), (std::vector<int>{1, 0}));
 }
 
 TEST(Hungarian, HandlesWhatIsEmptyOrForbidden) {
-  EXPECT_TRUE(dot::assign({}, 0, 0).empty());
-  EXPECT_TRUE(dot::assign({}, 0, 4).empty());
-  EXPECT_EQ(dot::assign({}, 3, 0), (std::vector<int>{-1, -1, -1}));
-  EXPECT_EQ(dot::assign(std::vector<double>(6, kForbidden), 2, 3), (std::vector<int>{-1, -1}));
-  EXPECT_EQ(dot::assign({kForbidden, std::nan(""), 7, kForbidden}, 2, 2), (std::vector<int>{-1, 0}));
+  EXPECT_TRUE(assign({}, 0, 0).empty());
+  EXPECT_TRUE(assign({}, 0, 4).empty());
+  EXPECT_EQ(assign({}, 3, 0), (std::vector<int>{-1, -1, -1}));
+  EXPECT_EQ(assign(std::vector<double>(6, kForbidden), 2, 3), (std::vector<int>{-1, -1}));
+  EXPECT_EQ(assign({kForbidden, std::nan(""), 7, kForbidden}, 2, 2), (std::vector<int>{-1, 0}));
 }
 
 TEST(Hungarian, SolvesLargeProblems) {
@@ -107,12 +112,12 @@ TEST(Hungarian, SolvesLargeProblems) {
   std::vector<double> cost(n * n);
   for (double& c : cost) c = draw(random);
   for (std::size_t i = 0; i < n; ++i) cost[i * n + static_cast<std::size_t>(hidden[i])] = 0;
-  EXPECT_EQ(dot::assign(cost, n, n), hidden);
+  EXPECT_EQ(assign(cost, n, n), hidden);
 }
 
 TEST(Hungarian, RefusesAWrongSize) {
-  EXPECT_THROW(dot::assign({1, 2, 3}, 2, 2), std::invalid_argument);
-  EXPECT_THROW(dot::assign({1, 2}, -1, -2), std::invalid_argument);
+  EXPECT_THROW(assign({1, 2, 3}, 2, 2), std::invalid_argument);
+  EXPECT_THROW(assign({1, 2}, -1, -2), std::invalid_argument);
 }
 
 }  // namespace

@@ -109,24 +109,32 @@ TEST(Mask, OverlapsEqualBruteForce) {
   EXPECT_EQ(dot::containment(Mask{}, Mask{}), 0);
 }
 
+using Split = std::vector<std::pair<std::uint32_t, Mask>>;
+
+void split(const ImageRef& ids, Split& out) {
+  dot::SplitWorkspace workspace;
+  workspace.runs.push_back({1, 2, 3, 4});  // of an earlier image
+  out.clear();
+  dot::split_ids(ids, workspace, [&](std::uint32_t id) -> Mask& { return out.emplace_back(id, Mask{}).second; });
+}
+
 /// An id image of blobs, with rows longer than the image.
 template <typename T>
 void check_split(PixelFormat format, T largest) {
   constexpr int width = 37, height = 23, stride = 48;
   std::mt19937 random(2);
   const std::vector<T> choice{0, 1, 2, 9, static_cast<T>(largest - 1), largest};
-  dot::SplitWorkspace workspace;
-  std::vector<std::pair<std::uint32_t, Mask>> found;
+  Split found;
   for (int round = 0; round < 20; ++round) {
     std::uniform_int_distribution<std::size_t> pick(0, round % 2 == 0 ? choice.size() - 1 : 2);
-    std::vector<T> pixels(stride * height, T{77});
+    std::vector<T> pixels(stride * height, T{9});
     T id = 0;
     for (int v = 0; v < height; ++v)
       for (int u = 0; u < width; ++u)
         pixels[static_cast<std::size_t>(v * stride + u)] = id = random() % 4 == 0 ? choice[pick(random)] : id;
 
     const ImageView<const T> view{pixels.data(), width, height, stride * sizeof(T)};
-    dot::split_ids({pixels.data(), width, height, stride * sizeof(T), format, 1}, found, workspace);
+    split({pixels.data(), width, height, stride * sizeof(T), format, 1}, found);
     std::map<std::uint32_t, int> areas;
     for (int v = 0; v < height; ++v)
       for (int u = 0; u < width; ++u)
@@ -155,18 +163,16 @@ TEST(Mask, SplitsIdImages) {
 }
 
 TEST(Mask, SplitOfAnEmptyImageForgetsEarlierOnes) {
-  std::vector<std::pair<std::uint32_t, Mask>> found(3);
-  dot::SplitWorkspace workspace;
+  Split found(3);
   const std::vector<std::uint8_t> zeros(12);
-  dot::split_ids({zeros.data(), 4, 3, 4, PixelFormat::Id8, 1}, found, workspace);
+  split({zeros.data(), 4, 3, 4, PixelFormat::Id8, 1}, found);
   EXPECT_TRUE(found.empty());
 }
 
 TEST(Mask, SplitRefusesOtherFormats) {
-  std::vector<std::pair<std::uint32_t, Mask>> found;
-  dot::SplitWorkspace workspace;
+  Split found;
   const std::vector<std::uint8_t> zeros(12);
-  EXPECT_THROW(dot::split_ids({zeros.data(), 4, 3, 4, PixelFormat::Grey8, 1}, found, workspace), std::invalid_argument);
+  EXPECT_THROW(split({zeros.data(), 4, 3, 4, PixelFormat::Grey8, 1}, found), std::invalid_argument);
 }
 
 TEST(Mask, CropsWithinABox) {
@@ -181,41 +187,40 @@ TEST(Mask, CropsWithinABox) {
   EXPECT_TRUE(mask.empty());
 }
 
-/// What the tracker's instances look like to this room.
-struct Placed {
-  ImageRef mask;
-  int x, y;
-};
+/// The mask of an instance in a frame of 20 x 10 pixels.
+Mask placed(const ImageRef& image, int x, int y) {
+  Mask mask;
+  dot::mask_of(image, x, y, 20, 10, mask);
+  return mask;
+}
 
 TEST(Mask, OfAnInstanceIsClippedToTheFrame) {
   std::vector<std::uint8_t> pixels(6 * 5, 1);
   pixels[0] = 0;
   const ImageRef image{pixels.data(), 6, 5, 6, PixelFormat::Grey8, 1};
-  constexpr int width = 20, height = 10;
 
-  Mask mask = dot::mask_of(Placed{image, 3, 2}, width, height);
+  Mask mask = placed(image, 3, 2);
   EXPECT_EQ(mask.box(), (std::array<int, 4>{3, 2, 6, 5}));
   EXPECT_EQ(mask.area, 29);
   EXPECT_FALSE(mask.at(3, 2));
   expect_consistent(mask);
 
-  mask = dot::mask_of(Placed{image, -4, -3}, width, height);
+  mask = placed(image, -4, -3);
   EXPECT_EQ(mask.box(), (std::array<int, 4>{0, 0, 2, 2}));
-  mask = dot::mask_of(Placed{image, 17, 8}, width, height);
+  mask = placed(image, 17, 8);
   EXPECT_EQ(mask.box(), (std::array<int, 4>{17, 8, 3, 2}));
   EXPECT_EQ(mask.area, 5);
 
   constexpr int far = std::numeric_limits<int>::max(), near = std::numeric_limits<int>::min();
   for (const auto& [x, y] :
        std::vector<std::pair<int, int>>{{far, 0}, {near, 0}, {0, far}, {0, near}, {-6, 0}, {20, 0}, {0, 10}})
-    EXPECT_TRUE(dot::mask_of(Placed{image, x, y}, width, height).empty()) << x << ' ' << y;
-  EXPECT_TRUE(dot::mask_of(Placed{ImageRef{}, 0, 0}, width, height).empty());
+    EXPECT_TRUE(placed(image, x, y).empty()) << x << ' ' << y;
+  EXPECT_TRUE(placed(ImageRef{}, 0, 0).empty());
 }
 
 TEST(Mask, OfAnInstanceRefusesOtherFormats) {
   const std::vector<std::uint16_t> pixels(12, 1);
-  EXPECT_THROW(dot::mask_of(ImageRef{pixels.data(), 4, 3, 8, PixelFormat::Id16, 1}, 0, 0, 20, 10),
-               std::invalid_argument);
+  EXPECT_THROW(placed({pixels.data(), 4, 3, 8, PixelFormat::Id16, 1}, 0, 0), std::invalid_argument);
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "dot/mask/template.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -182,6 +184,72 @@ TEST(Template, MayBeMadeFromItsOwnMaskWithUsedBuffers) {
   EXPECT_EQ(found.median, expected.median);
   for (int v = 0; v < expected.mask.height(); ++v)
     for (int u = 0; u < expected.mask.width(); ++u) ASSERT_EQ(found.inverse_depth(u, v), expected.inverse_depth(u, v));
+}
+
+/// What make_template promises, by looking at every pixel for every pixel.
+double check_by_brute_force(const Mask& mask, const Image<float>& q, const MaskTemplate& found) {
+  const auto measured = [&](int u, int v) {
+    const bool seen = mask.at(u, v) && q.contains(u, v) && std::isfinite(q(u, v)) && q(u, v) > 0;
+    return seen ? static_cast<double>(q(u, v)) : 0.0;
+  };
+  std::vector<double> values;
+  for (int v = 0; v < kHeight; ++v)
+    for (int u = 0; u < kWidth; ++u)
+      if (measured(u, v) > 0) values.push_back(measured(u, v));
+  const auto percentile = [](std::vector<double>& all, double share) {
+    std::sort(all.begin(), all.end());
+    return all[static_cast<std::size_t>(share * static_cast<double>(all.size() - 1))];
+  };
+  const double median = percentile(values, 0.5);
+  const double low = std::max(percentile(values, 0.2), (1 - kTolerance) * median) * (1 - kTolerance);
+  const double high = std::min(percentile(values, 0.8), (1 + kTolerance) * median) * (1 + kTolerance);
+  std::vector<double> accepted;
+  for (const double value : values)
+    if (value >= low && value <= high) accepted.push_back(value);
+  EXPECT_EQ(found.median, percentile(accepted, 0.5));
+  for (int v = 0; v < mask.height(); ++v)
+    for (int u = 0; u < mask.width(); ++u) {
+      double sum = 0;
+      int count = 0;
+      for (int radius = 2; mask.pixels(u, v) && count < 5; radius *= 2) {
+        sum = count = 0;
+        for (int j = v - radius; j <= v + radius; ++j)
+          for (int i = u - radius; i <= u + radius; ++i) {
+            const double value = measured(mask.x + i, mask.y + j);
+            if (value < low || value > high) continue;
+            sum += value;
+            ++count;
+          }
+      }
+      EXPECT_NEAR(found.inverse_depth(u, v), count > 0 ? sum / count : 0, 1e-6);
+    }
+  return static_cast<double>(accepted.size()) / static_cast<double>(values.size());
+}
+
+TEST(Template, EqualsBruteForce) {
+  const float none[] = {0, -1, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()};
+  std::mt19937 random(5);
+  dot::TemplateWorkspace workspace;
+  MaskTemplate found;
+  double accepted = 0;
+  constexpr int rounds = 12;
+  for (int round = 0; round < rounds; ++round) {
+    Image<float> q(kWidth, kHeight);
+    for (int v = 0; v < kHeight; ++v)
+      for (int u = 0; u < kWidth; ++u) {
+        const float spread = random() % 3 ? 0.1f : 0.7f;  // of the object, and of what is before and behind it
+        q(u, v) = 0.1f * (1 + spread * (static_cast<float>(random() % 2001) / 1000 - 1));
+        if (static_cast<int>(random() % 20) < 2 * round - 3) q(u, v) = none[random() % 4];
+      }
+    Mask mask;
+    const int x = static_cast<int>(random() % 60) - 10, y = static_cast<int>(random() % 40) - 10;
+    dot::fill_mask(
+        {x, y, 40, 30}, [](int u, int v) { return (u * u + 3 * v) % 11 != 0; }, mask);
+    ASSERT_TRUE(dot::make_template(mask, q.view(), kTolerance, workspace, found));
+    accepted += check_by_brute_force(mask, q, found) / rounds;
+  }
+  EXPECT_GT(accepted, 0.5);
+  EXPECT_LT(accepted, 0.9);
 }
 
 }  // namespace

@@ -18,6 +18,13 @@ struct Outline {
   double inverse_depth = 0;  ///< 1/m, median; 0 where it is not known
 };
 
+/// Buffers of `associate`.
+struct AssociationWorkspace {
+  std::vector<double> cost;   ///< of each pair
+  std::vector<char> allowed;  ///< whether it may be one
+  AssignWorkspace assignment;
+};
+
 /// Which predicted outline each observed one continues: the assignment that minimises the sum of 1 - IoU, over pairs
 /// with IoU >= min_iou, or of which one covers min_containment of the smaller (a mask split, merged or half occluded)
 /// and the other is not many times as large, IoU >= min_iou / 2: then it has merely come to lie over it.
@@ -26,12 +33,13 @@ struct Outline {
 ///
 /// Every mask has at most one partner. One that has none counts like an overlap of zero, so that a good pair is never
 /// broken up for the sake of two poor ones.
-/// @return for each observed mask the index of its predicted one, or -1.
-inline std::vector<int> associate(const std::vector<Outline>& predicted, const std::vector<Outline>& observed,
-                                  const MaskSettings& settings) {
+/// @return for each observed mask the index of its predicted one, or -1; in `workspace`, valid until its next use.
+inline const std::vector<int>& associate(const std::vector<Outline>& predicted, const std::vector<Outline>& observed,
+                                         const MaskSettings& settings, AssociationWorkspace& workspace) {
   const std::size_t n = predicted.size();
-  std::vector<double> cost(observed.size() * n, 1.0);
-  std::vector<char> allowed(cost.size(), 0);
+  auto& [cost, allowed, assignment] = workspace;
+  cost.assign(observed.size() * n, 1);
+  allowed.assign(cost.size(), 0);
   for (std::size_t i = 0; i < observed.size(); ++i) {
     for (std::size_t j = 0; j < n; ++j) {
       const Mask &a = *observed[i].mask, &b = *predicted[j].mask;
@@ -47,7 +55,7 @@ inline std::vector<int> associate(const std::vector<Outline>& predicted, const s
       allowed[i * n + j] = 1;
     }
   }
-  std::vector<int> partner = assign(cost, static_cast<int>(observed.size()), static_cast<int>(n));
+  std::vector<int>& partner = assign(cost, static_cast<int>(observed.size()), static_cast<int>(n), assignment);
   for (std::size_t i = 0; i < partner.size(); ++i)
     if (partner[i] >= 0 && !allowed[i * n + static_cast<std::size_t>(partner[i])]) partner[i] = -1;
   return partner;

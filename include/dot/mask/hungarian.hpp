@@ -12,15 +12,25 @@
 
 DOT_BEGIN_NAMESPACE
 
+/// Buffers of `assign`.
+struct AssignWorkspace {
+  std::vector<int> column;          ///< of each row: the result
+  std::vector<double> u, v, slack;  ///< potentials of rows and columns, reduced costs
+  std::vector<int> row_of, previous;
+  std::vector<char> done;
+};
+
 /// Minimal-cost assignment (Hungarian method with potentials and shortest augmenting paths; Kuhn 1955, Jonker and
 /// Volgenant 1987), O(min^2 max) of rows and columns.
 /// @param cost row-major, rows x cols; a pair whose cost is not finite is forbidden.
-/// @return the column of each row, or -1. As many pairs as possible are made; among those, the cheapest set.
+/// @return the column of each row, or -1; in `workspace`, valid until its next use. As many pairs as possible are made;
+/// among those, the cheapest set.
 /// @throws std::invalid_argument when `cost` has another size.
-inline std::vector<int> assign(const std::vector<double>& cost, int rows, int cols) {
+inline std::vector<int>& assign(const std::vector<double>& cost, int rows, int cols, AssignWorkspace& workspace) {
   if (rows < 0 || cols < 0 || cost.size() != static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols))
     throw std::invalid_argument("cost must have rows * cols elements");
-  std::vector<int> column(static_cast<std::size_t>(rows), -1);
+  auto& [column, u, v, slack, row_of, previous, done] = workspace;
+  column.assign(static_cast<std::size_t>(rows), -1);
   if (cost.empty()) return column;
 
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -46,12 +56,13 @@ inline std::vector<int> assign(const std::vector<double>& cost, int rows, int co
 
   // Columns are numbered from 1: column 0 stands for the row that is being placed.
   const auto size = static_cast<std::size_t>(m) + 1;
-  std::vector<double> u(static_cast<std::size_t>(n), 0.0), v(size, 0.0), slack(size);
-  std::vector<int> row_of(size, -1), previous(size);
-  std::vector<char> done(size);
+  u.assign(static_cast<std::size_t>(n), 0);
+  v.assign(size, 0);
+  row_of.assign(size, -1);
+  previous.resize(size);
   for (int i = 0; i < n; ++i) {
-    std::fill(slack.begin(), slack.end(), std::numeric_limits<double>::infinity());
-    std::fill(done.begin(), done.end(), char{0});
+    slack.assign(size, std::numeric_limits<double>::infinity());
+    done.assign(size, 0);
     row_of[0] = i;
     std::size_t here = 0;
     do {

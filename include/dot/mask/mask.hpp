@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -28,38 +30,74 @@ struct Mask {
   int width() const { return pixels.width(); }
   int height() const { return pixels.height(); }
   bool empty() const { return area == 0; }
+  void clear() {
+    x = y = area = 0;
+    pixels.resize(0, 0);
+  }
   std::array<int, 4> box() const { return {x, y, width(), height()}; }  ///< x, y, width, height
 
   /// Whether the frame's pixel (u, v) is set; false outside the crop.
   bool at(int u, int v) const {
     return u >= x && v >= y && u < x + width() && v < y + height() && pixels(u - x, v - y) != 0;
   }
-};
 
-/// Fills `out` with the pixels of `box` (x, y, width, height) for which `set(u, v)` holds, cropped to them.
-/// `set` is called twice for a pixel and must not read `out`.
-template <typename Predicate>
-void fill_mask(const std::array<int, 4>& box, Predicate&& set, Mask& out) {
-  int left = box[0] + box[2], right = box[0] - 1, top = box[1] + box[3], bottom = box[1] - 1;
-  int area = 0;
-  for (int v = box[1]; v < box[1] + box[3]; ++v) {
-    for (int u = box[0]; u < box[0] + box[2]; ++u) {
-      if (!set(u, v)) continue;
-      left = std::min(left, u);
-      right = std::max(right, u);
-      top = std::min(top, v);
-      bottom = v;
-      ++area;
+  /// Writes `value` to the frame's pixels that are set. @param frame contains the crop.
+  template <typename T>
+  void write(T value, Image<T>& frame) const {
+    for (int v = 0; v < height(); ++v) {
+      const std::uint8_t* set = pixels.row(v);
+      T* row = frame.row(y + v) + x;
+      for (int u = 0; u < width(); ++u) row[u] = set[u] ? value : row[u];
     }
   }
-  out.area = area;
-  out.x = area > 0 ? left : 0;
-  out.y = area > 0 ? top : 0;
-  out.pixels.resize(area > 0 ? right - left + 1 : 0, area > 0 ? bottom - top + 1 : 0);
-  for (int v = 0; v < out.height(); ++v) {
-    std::uint8_t* row = out.pixels.row(v);
-    for (int u = 0; u < out.width(); ++u) row[u] = set(out.x + u, out.y + v) ? 255 : 0;
+};
+
+/// Fills `out` with the pixels of `box` (x, y, width, height) that `row` tells, cropped to them: row(v) gives what
+/// tells the pixels of the frame's row v, row(v)(u) -> bool. They are asked more than once and must not read `out`.
+template <typename Row>
+void fill_mask_by_rows(const std::array<int, 4>& box, Row&& row, Mask& out) {
+  const int begin = box[0], end = box[0] + box[2];
+  const auto has_any = [&](int v) {
+    const auto set = row(v);
+    for (int u = begin; u < end; ++u)
+      if (set(u)) return true;
+    return false;
+  };
+  int top = box[1], bottom = box[1] + box[3];
+  while (top < bottom && !has_any(top)) ++top;
+  while (top < bottom && !has_any(bottom - 1)) --bottom;
+  if (top == bottom) return out.clear();
+  int left = end, right = begin;
+  for (int v = top; v < bottom; ++v) {
+    const auto set = row(v);
+    int u = begin;
+    while (u < left && !set(u)) ++u;
+    left = u;
+    for (u = end; u > right && !set(u - 1);) --u;
+    right = u;
   }
+  out.x = left;
+  out.y = top;
+  out.pixels.resize(right - left, bottom - top);
+  out.area = 0;
+  for (int v = top; v < bottom; ++v) {
+    const auto set = row(v);
+    std::uint8_t* pixels = out.pixels.row(v - top);
+    int count = 0;
+    for (int i = 0; i < right - left; ++i) {
+      const bool is_set = set(left + i);
+      pixels[i] = is_set ? 255 : 0;
+      count += is_set;
+    }
+    out.area += count;
+  }
+}
+
+/// The same for pixels that `set(u, v)` tells.
+template <typename Predicate>
+void fill_mask(const std::array<int, 4>& box, Predicate&& set, Mask& out) {
+  fill_mask_by_rows(
+      box, [&set](int v) { return [&set, v](int u) { return set(u, v); }; }, out);
 }
 
 /// The part of `box` (x, y, width, height) inside a frame; width or height 0 when there is none.
@@ -77,31 +115,23 @@ inline std::array<int, 4> clip_box(const std::array<int, 4>& box, int frame_widt
 /// The pixels of `box` that carry `id`.
 template <typename T>
 void crop_ids(ImageView<const T> ids, std::uint32_t id, const std::array<int, 4>& box, Mask& out) {
-  fill_mask(
-      clip_box(box, ids.width, ids.height), [&](int u, int v) { return ids(u, v) == id; }, out);
+  fill_mask_by_rows(
+      clip_box(box, ids.width, ids.height),
+      [&ids, id](int v) { return [row = ids.row(v), id](int u) { return row[u] == id; }; }, out);
 }
 
 /// The pixels of an image of its own (Grey8 or Id8, non-zero = object) whose top left corner is at (x, y) of the frame,
 /// clipped to the frame.
 /// @throws std::invalid_argument for another format.
-inline Mask mask_of(const ImageRef& image, int x, int y, int frame_width, int frame_height) {
-  Mask out;
-  if (image.empty()) return out;
+inline void mask_of(const ImageRef& image, int x, int y, int frame_width, int frame_height, Mask& out) {
+  if (image.empty()) return out.clear();
   if (image.format != PixelFormat::Grey8 && image.format != PixelFormat::Id8)
     throw std::invalid_argument("instance.mask.format must be Grey8 or Id8");
   const ImageView<const std::uint8_t> view{static_cast<const std::uint8_t*>(image.data), image.width, image.height,
                                            image.stride};
-  const auto box = clip_box({x, y, image.width, image.height}, frame_width, frame_height);
-  fill_mask(
-      box, [&](int u, int v) { return view(u - x, v - y) != 0; }, out);
-  return out;
-}
-
-/// The mask of an instance {mask, x, y} that has an image of its own (pipeline/frame.hpp's Instance, which this room
-/// does not know).
-template <typename AnyInstance>
-Mask mask_of(const AnyInstance& instance, int frame_width, int frame_height) {
-  return mask_of(instance.mask, instance.x, instance.y, frame_width, frame_height);
+  fill_mask_by_rows(
+      clip_box({x, y, image.width, image.height}, frame_width, frame_height),
+      [&view, x, y](int v) { return [row = view.row(v - y), x](int u) { return row[u - x] != 0; }; }, out);
 }
 
 /// Buffers of split_ids.
@@ -115,15 +145,29 @@ struct SplitWorkspace {
 
 namespace id_runs {
 
+/// Where the run of equal pixels that starts at `begin` ends.
+template <typename T>
+int end_of_run(const T* row, int begin, int width) {
+  constexpr int step = sizeof(std::uint64_t) / sizeof(T);  // so many pixels are compared at once
+  const std::uint64_t same = row[begin] * (~std::uint64_t{0} / std::numeric_limits<T>::max());
+  int end = begin + 1;
+  for (; end + step <= width; end += step) {
+    std::uint64_t next = 0;
+    std::memcpy(&next, row + end, sizeof next);
+    if (next != same) break;
+  }
+  while (end < width && row[end] == row[begin]) ++end;
+  return end;
+}
+
 template <typename T>
 void collect(const ImageRef& ids, std::vector<SplitWorkspace::Run>& runs) {
   const ImageView<const T> view{static_cast<const T*>(ids.data), ids.width, ids.height, ids.stride};
   for (int y = 0; y < view.height; ++y) {
     const T* row = view.row(y);
     for (int begin = 0, end = 0; begin < view.width; begin = end) {
-      const T id = row[begin];
-      for (end = begin + 1; end < view.width && row[end] == id;) ++end;
-      if (id != 0) runs.push_back({static_cast<std::uint32_t>(id), y, begin, end});
+      end = end_of_run(row, begin, view.width);
+      if (row[begin] != 0) runs.push_back({static_cast<std::uint32_t>(row[begin]), y, begin, end});
     }
   }
 }
@@ -131,9 +175,10 @@ void collect(const ImageRef& ids, std::vector<SplitWorkspace::Run>& runs) {
 }  // namespace id_runs
 
 /// All instances of an id image with their masks, ids ascending, 0 left out. The image is read once.
+/// @param add (id) -> Mask&, to be filled in
 /// @throws std::invalid_argument unless the format is Id8, Id16 or Id32.
-inline void split_ids(const ImageRef& ids, std::vector<std::pair<std::uint32_t, Mask>>& out,
-                      SplitWorkspace& workspace) {
+template <typename Add>
+void split_ids(const ImageRef& ids, SplitWorkspace& workspace, Add&& add) {
   auto& runs = workspace.runs;
   runs.clear();
   switch (ids.format) {
@@ -146,7 +191,6 @@ inline void split_ids(const ImageRef& ids, std::vector<std::pair<std::uint32_t, 
     return std::tie(a.id, a.y, a.begin) < std::tie(b.id, b.y, b.begin);
   });
 
-  std::size_t count = 0;
   for (auto first = runs.begin(), last = first; first != runs.end(); first = last) {
     int left = first->begin, right = first->end, area = 0;
     for (last = first; last != runs.end() && last->id == first->id; ++last) {
@@ -154,9 +198,7 @@ inline void split_ids(const ImageRef& ids, std::vector<std::pair<std::uint32_t, 
       right = std::max(right, last->end);
       area += last->end - last->begin;
     }
-    if (out.size() <= count) out.emplace_back();
-    auto& [id, mask] = out[count++];
-    id = first->id;
+    Mask& mask = add(first->id);
     mask.x = left;
     mask.y = first->y;
     mask.area = area;
@@ -167,7 +209,6 @@ inline void split_ids(const ImageRef& ids, std::vector<std::pair<std::uint32_t, 
       std::fill(row + (run->begin - left), row + (run->end - left), std::uint8_t{255});
     }
   }
-  out.resize(count);
 }
 
 /// Pixels that both masks have.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "dot/abi.hpp"
@@ -20,17 +22,127 @@ struct MaskTemplate {
   Image<float> inverse_depth;  ///< 1/m, crop of `mask`; smooth and without holes inside the mask, 0 outside
   double median = 0;           ///< 1/m, of the measured values that were used
   bool measured = false;       ///< false: the inverse depth is a guess, against which nothing can be trimmed
+
+  void clear() {
+    mask.clear();
+    inverse_depth.resize(0, 0);
+    median = 0;
+    measured = false;
+  }
 };
 
 /// Buffers of make_template.
 struct TemplateWorkspace {
   std::vector<float> values;
-  Image<double> sums;  ///< integral image of the accepted inverse depths, one row and column of zeros first
-  Image<int> counts;   ///< of their number
+  Image<double> sums;     ///< integral image of the accepted inverse depths, one row and column of zeros first
+  Image<int> counts;      ///< of their number
+  std::vector<int> open;  ///< pixels of a row, x, that have found no values so far
 };
 
 /// Masks with fewer measured pixels of the object get no template.
 inline constexpr int kMinTemplateDepth = 10;
+
+namespace templates {
+
+/// What was measured under a mask, 1/m, 0 where nothing was: as an image of the mask's size, and the values alone,
+/// first in `values`. @return their number.
+inline std::ptrdiff_t measure(const Mask& mask, ImageView<const float> inverse_depth, Image<float>& measured,
+                              std::vector<float>& values) {
+  const int width = mask.width(), height = mask.height();
+  measured.resize(width, height);
+  const std::size_t most = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) + 1;
+  if (values.size() < most) values.resize(most);
+  float* end = values.data();
+  const int begin_u = std::clamp(-mask.x, 0, width);
+  const int end_u = std::clamp(inverse_depth.width - mask.x, begin_u, width);
+  for (int v = 0; v < height; ++v) {
+    const std::uint8_t* set = mask.pixels.row(v);
+    float* out = measured.row(v);
+    std::fill_n(out, width, 0.0f);
+    if (mask.y + v < 0 || mask.y + v >= inverse_depth.height) continue;
+    const float* q = inverse_depth.row(mask.y + v) + mask.x;
+    for (int u = begin_u; u < end_u; ++u) {
+      const bool ok = (set[u] != 0) & (q[u] > 0) & (q[u] <= std::numeric_limits<float>::max());
+      out[u] = ok ? q[u] : 0;
+    }
+    for (int u = begin_u; u < end_u; ++u) {  // without branches: holes are everywhere
+      *end = out[u];
+      end += out[u] > 0;
+    }
+  }
+  return end - values.data();
+}
+
+/// Integral images of the measured values from low to high; the others become 0. @return their number.
+inline std::ptrdiff_t integrate(double low, double high, Image<float>& measured, TemplateWorkspace& workspace) {
+  const int width = measured.width(), height = measured.height();
+  workspace.sums.resize(width + 1, height + 1);
+  workspace.counts.resize(width + 1, height + 1);
+  std::fill_n(workspace.sums.row(0), width + 1, 0.0);
+  std::fill_n(workspace.counts.row(0), width + 1, 0);
+  std::ptrdiff_t accepted = 0;
+  for (int v = 0; v < height; ++v) {
+    float* row = measured.row(v);
+    for (int u = 0; u < width; ++u) {
+      const double q = static_cast<double>(row[u]);
+      row[u] = ((q >= low) & (q <= high)) ? row[u] : 0;
+    }
+    const double* sums_above = workspace.sums.row(v);
+    const int* counts_above = workspace.counts.row(v);
+    double* sums = workspace.sums.row(v + 1);
+    int* counts = workspace.counts.row(v + 1);
+    double sum = 0;
+    int count = 0;
+    sums[0] = 0;
+    counts[0] = 0;
+    for (int u = 0; u < width; ++u) {
+      sum += static_cast<double>(row[u]);
+      count += row[u] > 0;
+      sums[u + 1] = sums_above[u + 1] + sum;
+      counts[u + 1] = counts_above[u + 1] + count;
+    }
+    accepted += count;
+  }
+  return accepted;
+}
+
+/// Gives each pixel of the mask the mean of what was integrated in the smallest window around it that has some values;
+/// the whole must have.
+inline void average(const Mask& mask, TemplateWorkspace& workspace, Image<float>& out) {
+  constexpr int first_radius = 2, min_count = 5;
+  static_assert(min_count <= kMinTemplateDepth);
+  const int width = mask.width(), height = mask.height();
+  auto& open = workspace.open;
+  open.resize(static_cast<std::size_t>(width));
+  for (int v = 0; v < height; ++v) {
+    const std::uint8_t* set = mask.pixels.row(v);
+    float* q = out.row(v);
+    std::fill_n(q, width, 0.0f);
+    std::size_t left = 0;
+    for (int u = 0; u < width; ++u) {
+      open[left] = u;
+      left += set[u] != 0;
+    }
+    for (int radius = first_radius; left > 0; radius *= 2) {
+      const int y0 = std::max(v - radius, 0), y1 = std::min(v + radius + 1, height);
+      const double *sums0 = workspace.sums.row(y0), *sums1 = workspace.sums.row(y1);
+      const int *counts0 = workspace.counts.row(y0), *counts1 = workspace.counts.row(y1);
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < left; ++i) {
+        const int u = open[i];
+        const int x0 = std::max(u - radius, 0), x1 = std::min(u + radius + 1, width);
+        const int count = counts1[x1] - counts1[x0] - counts0[x1] + counts0[x0];
+        if (count >= min_count)
+          q[u] = static_cast<float>((sums1[x1] - sums1[x0] - sums0[x1] + sums0[x0]) / count);
+        else
+          open[kept++] = u;
+      }
+      left = kept;
+    }
+  }
+}
+
+}  // namespace templates
 
 /// Takes an object's inverse depth under a mask whose border is ragged and shows what is behind or before the object.
 ///
@@ -43,84 +155,30 @@ inline constexpr int kMinTemplateDepth = 10;
 /// @return false when there are fewer than kMinTemplateDepth values; `out` is then empty.
 inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth, double tolerance,
                           TemplateWorkspace& workspace, MaskTemplate& out) {
-  const int width = mask.width(), height = mask.height();
-  const auto measured = [&](int u, int v) {
-    if (mask.pixels(u, v) == 0 || !inverse_depth.contains(mask.x + u, mask.y + v)) return 0.0f;
-    const float q = inverse_depth(mask.x + u, mask.y + v);
-    return std::isfinite(q) && q > 0 ? q : 0.0f;
-  };
-  const auto refuse = [&out] {
-    out.mask.area = 0;
-    out.mask.pixels.resize(0, 0);
-    out.inverse_depth.resize(0, 0);
-    out.median = 0;
-    out.measured = false;
-    return false;
-  };
+  const std::ptrdiff_t count = templates::measure(mask, inverse_depth, out.inverse_depth, workspace.values);
+  if (count < kMinTemplateDepth) return out.clear(), false;
 
-  auto& values = workspace.values;
-  values.clear();
-  for (int v = 0; v < height; ++v)
-    for (int u = 0; u < width; ++u)
-      if (const float q = measured(u, v); q > 0) values.push_back(q);
-  if (values.size() < kMinTemplateDepth) return refuse();
-  const auto percentile = [&values](double share) {
-    const auto nth = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), nth, values.end());
-    return static_cast<double>(*nth);
+  float* const begin = workspace.values.data();
+  float* const end = begin + count;
+  const auto rank = [](double share, std::ptrdiff_t n) {
+    return static_cast<std::ptrdiff_t>(share * static_cast<double>(n - 1));
   };
-  const double median = percentile(0.5);
-  const double low = std::max(percentile(0.2), (1 - tolerance) * median) * (1 - tolerance);
-  const double high = std::min(percentile(0.8), (1 + tolerance) * median) * (1 + tolerance);
-
-  values.clear();
-  workspace.sums.resize(width + 1, height + 1);
-  workspace.counts.resize(width + 1, height + 1);
-  std::fill_n(workspace.sums.row(0), width + 1, 0.0);
-  std::fill_n(workspace.counts.row(0), width + 1, 0);
-  for (int v = 0; v < height; ++v) {
-    const double* sums_above = workspace.sums.row(v);
-    const int* counts_above = workspace.counts.row(v);
-    double* sums = workspace.sums.row(v + 1);
-    int* counts = workspace.counts.row(v + 1);
-    double sum = 0;
-    int count = 0;
-    sums[0] = 0;
-    counts[0] = 0;
-    for (int u = 0; u < width; ++u) {
-      if (const float q = measured(u, v); q >= low && q <= high && q > 0) {
-        values.push_back(q);
-        sum += q;
-        ++count;
-      }
-      sums[u + 1] = sums_above[u + 1] + sum;
-      counts[u + 1] = counts_above[u + 1] + count;
-    }
-  }
-  if (values.size() < kMinTemplateDepth) return refuse();
-  out.median = percentile(0.5);
+  const auto nth = [begin](std::ptrdiff_t n, float* first, float* last) {
+    std::nth_element(first, begin + n, last);
+    return static_cast<double>(begin[n]);
+  };
+  float* const middle = begin + rank(0.5, count);
+  const double median = nth(rank(0.5, count), begin, end);
+  const double low = std::max(nth(rank(0.2, count), begin, middle + 1), (1 - tolerance) * median) * (1 - tolerance);
+  const double high = std::min(nth(rank(0.8, count), middle, end), (1 + tolerance) * median) * (1 + tolerance);
+  const std::ptrdiff_t accepted = templates::integrate(low, high, out.inverse_depth, workspace);
+  if (accepted < kMinTemplateDepth) return out.clear(), false;
+  const auto below = std::count_if(begin, end, [low](float q) { return static_cast<double>(q) < low; });
+  const std::ptrdiff_t half = below + rank(0.5, accepted);
+  out.median = begin + half < middle ? nth(half, begin, middle) : nth(half, middle, end);
   out.measured = true;
-
-  constexpr int first_radius = 2, min_count = 5;
-  out.mask = mask;
-  out.inverse_depth.resize(width, height);
-  for (int v = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u) {
-      float& q = out.inverse_depth(u, v);
-      q = 0;
-      if (mask.pixels(u, v) == 0) continue;
-      for (int radius = first_radius; q == 0; radius *= 2) {
-        const int x0 = std::max(u - radius, 0), x1 = std::min(u + radius + 1, width);
-        const int y0 = std::max(v - radius, 0), y1 = std::min(v + radius + 1, height);
-        const auto window = [&](const auto& integral) {
-          return integral(x1, y1) - integral(x0, y1) - integral(x1, y0) + integral(x0, y0);
-        };
-        // The whole crop holds kMinTemplateDepth values or more, so the window finds enough at last.
-        if (const int count = window(workspace.counts); count >= min_count)
-          q = static_cast<float>(window(workspace.sums) / count);
-      }
-    }
-  }
+  if (&mask != &out.mask) out.mask = mask;
+  templates::average(out.mask, workspace, out.inverse_depth);
   return true;
 }
 

@@ -23,17 +23,24 @@ struct WarpedMask {
   Image<float> inverse_depth;  ///< 1/m, predicted; same crop, 0 outside the mask
   double expected_area = 0;    ///< pixels it would have in an endless image with nothing in front of it
   int inside_area = 0;         ///< pixels inside the image, before trimming
+
+  void clear() {
+    mask.clear();
+    inverse_depth.resize(0, 0);
+    expected_area = 0;
+    inside_area = 0;
+  }
 };
 
 /// Buffers of `warp`.
 struct WarpWorkspace {
-  /// The template's pixels in the current frame, with a border of one pixel; q = 0 and the rest finite where there is
-  /// none.
+  /// The template's pixels in the current frame, with a border of one pixel; all 0 where there is none.
   Image<float> u, v;     ///< pixels
   Image<float> q;        ///< 1/m
   Image<float> scale;    ///< magnification, q over the template's
   Image<float> surface;  ///< 1/m, nearest predicted surface in a box of the image, 0 = none
   Image<float> row;      ///< three rows of scratch
+  Image<int> cell;       ///< of each pixel of a row, where it is drawn: x0, y0, x1, y1, ends excluded
 };
 
 namespace warping {
@@ -78,7 +85,8 @@ Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camer
   float u0 = right + kMaxReach, u1 = -kMaxReach, v0 = bottom + kMaxReach, v1 = -kMaxReach;
   for (Image<float>* image : {&w.u, &w.v, &w.q, &w.scale}) {
     image->resize(width + 2, height + 2);
-    image->fill(0);
+    for (const int y : {0, height + 1}) std::fill_n(image->row(y), width + 2, 0.0f);
+    for (int y = 1; y <= height; ++y) image->row(y)[0] = image->row(y)[width + 1] = 0;
   }
   w.row.resize(std::max(width + 2, camera.width()), 3);
   outside = 0;
@@ -90,13 +98,16 @@ Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camer
     for (int x = 0; x < width; ++x) {
       // Nearer than a thousandth of its former depth is as good as behind the camera.
       if (!(inverse_depth[x] > 0) || !(z[x] > 1e-3f) || !std::isfinite(u[x]) || !std::isfinite(v[x])) {
-        u[x] = v[x] = 0;
+        u[x] = v[x] = q[x] = scale[x] = 0;
         continue;
       }
       scale[x] = 1 / z[x];
       if (u[x] < -0.5f || v[x] < -0.5f || u[x] > right + 0.5f || v[x] > bottom + 0.5f) {
         outside += static_cast<double>(scale[x]) * scale[x];
-        if (u[x] < -kMaxReach || v[x] < -kMaxReach || u[x] > right + kMaxReach || v[x] > bottom + kMaxReach) continue;
+        if (u[x] < -kMaxReach || v[x] < -kMaxReach || u[x] > right + kMaxReach || v[x] > bottom + kMaxReach) {
+          u[x] = v[x] = q[x] = scale[x] = 0;
+          continue;
+        }
       }
       q[x] = inverse_depth[x] * scale[x];
       u0 = std::min(u0, u[x]);
@@ -114,7 +125,7 @@ Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camer
 /// and after; `a` is the coordinate along which they lie in the template. A neighbour whose depth differs much is on
 /// another surface; where there is none the magnification tells the size of the cell.
 inline void add_reach(const float* a, const float* b, const float* q, const float* scale, int step, int width,
-                      float* reach_a, float* reach_b) {
+                      float* __restrict reach_a, float* __restrict reach_b) {
   const float *a0 = a - step, *b0 = b - step, *q0 = q - step;
   const float *a1 = a + step, *b1 = b + step, *q1 = q + step;
   for (int x = 1; x < width - 1; ++x) {
@@ -136,6 +147,9 @@ inline void draw_surface(WarpWorkspace& w, const Box& box) {
   w.surface.resize(box.x1 - box.x0, box.y1 - box.y0);
   w.surface.fill(0);
   const int width = w.q.width();
+  w.cell.resize(width, 4);
+  int *x0 = w.cell.row(0), *y0 = w.cell.row(1), *x1 = w.cell.row(2), *y1 = w.cell.row(3);
+  const auto first = [](float p) { return static_cast<int>(p + offset) - offset + 1; };
   for (int y = 1; y + 1 < w.q.height(); ++y) {
     const float *u = w.u.row(y), *v = w.v.row(y), *q = w.q.row(y), *scale = w.scale.row(y);
     float *reach_u = w.row.row(0), *reach_v = w.row.row(1);
@@ -143,16 +157,20 @@ inline void draw_surface(WarpWorkspace& w, const Box& box) {
     std::fill_n(reach_v, width, margin);
     add_reach(u, v, q, scale, 1, width, reach_u, reach_v);
     add_reach(v, u, q, scale, width, width, reach_v, reach_u);
-    for (int x = 1; x + 1 < width; ++x) {
+    for (int x = 1; x < width - 1; ++x) {
+      const float du = reach_u[x] < kMaxReach ? reach_u[x] : kMaxReach;
+      const float dv = reach_v[x] < kMaxReach ? reach_v[x] : kMaxReach;
+      x0[x] = std::max(first(u[x] - du), box.x0) - box.x0;
+      y0[x] = std::max(first(v[x] - dv), box.y0) - box.y0;
+      x1[x] = std::min(first(u[x] + du), box.x1) - box.x0;
+      y1[x] = std::min(first(v[x] + dv), box.y1) - box.y0;
+    }
+    for (int x = 1; x < width - 1; ++x) {
       if (!(q[x] > 0)) continue;
-      const float du = std::min(reach_u[x], kMaxReach), dv = std::min(reach_v[x], kMaxReach);
-      const int x0 = std::max(static_cast<int>(u[x] - du + offset) - offset + 1, box.x0) - box.x0;
-      const int x1 = std::min(static_cast<int>(u[x] + du + offset) - offset + 1, box.x1) - box.x0;
-      const int y0 = std::max(static_cast<int>(v[x] - dv + offset) - offset + 1, box.y0) - box.y0;
-      const int y1 = std::min(static_cast<int>(v[x] + dv + offset) - offset + 1, box.y1) - box.y0;
-      for (int j = y0; j < y1; ++j) {
+      for (int j = y0[x]; j < y1[x]; ++j) {
         float* line = w.surface.row(j);
-        for (int i = x0; i < x1; ++i) line[i] = std::max(line[i], q[x]);
+        for (int i = x0[x]; i < x1[x]; ++i)
+          if (line[i] < q[x]) line[i] = q[x];
       }
     }
   }
@@ -163,6 +181,11 @@ inline bool covers(const Image<std::uint8_t>& mask, float u, float v) {
   if (!(u > -1 && v > -1 && u < static_cast<float>(mask.width()) && v < static_cast<float>(mask.height())))
     return false;
   const int x = static_cast<int>(u + 1) - 1, y = static_cast<int>(v + 1) - 1;
+  if (x >= 0 && y >= 0 && x + 1 < mask.width() && y + 1 < mask.height()) {  // mostly, and away from the outline
+    const std::uint8_t *upper = mask.row(y) + x, *lower = mask.row(y + 1) + x;
+    if ((upper[0] & upper[1] & lower[0] & lower[1]) == 255) return true;
+    if ((upper[0] | upper[1] | lower[0] | lower[1]) == 0) return false;
+  }
   const auto at = [&mask](int i, int j) { return mask.contains(i, j) ? static_cast<float>(mask(i, j)) : 0.0f; };
   const float a = u - static_cast<float>(x), b = v - static_cast<float>(y);
   const float top = at(x, y) + a * (at(x + 1, y) - at(x, y));

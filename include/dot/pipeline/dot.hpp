@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <deque>
 #include <utility>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "dot/pipeline/discovery.hpp"
 #include "dot/pipeline/frame_history.hpp"
 #include "dot/pipeline/options.hpp"
+#include "dot/pipeline/recycling_list.hpp"
 #include "dot/pipeline/track.hpp"
 #include "dot/pipeline/validate.hpp"
 #include "dot/points/select_object.hpp"
@@ -123,24 +123,29 @@ class Dot {
   bool stands(const TrackT& t) const { return t.candidate && t.state == State::Static; }
   void confirm(TrackT& object);
   void support(TrackT& object);
-  std::vector<TrackT*> all_tracks();
+  template <typename Condition>
+  std::vector<TrackT*>& tracks_that(Condition&& condition);
+  std::vector<TrackT*>& all_tracks() {
+    return tracks_that([](const TrackT&) { return true; });
+  }
   void associate();
   void follow(TrackT& object);
   KnownVelocity known_velocity(const TrackT& object, const ObjectReference& r) const;
-  std::vector<SE3d> starts(const TrackT& object, const ObjectReference& reference);
+  std::vector<SE3d>& starts(const TrackT& object, const ObjectReference& reference);
   Vector3<double> anchor(const Mask& mask, const Image<float>& inverse_depth) const;
   void advance(TrackT& object);
   void match(const std::vector<TrackT*>& tracks);
   void match(const std::vector<TrackT*>& tracks, bool discovered);
   void give(Observed& o, TrackT& t);
+  Observed& observe();
   void find_again();
-  void follow_and_decide(std::vector<TrackT*> tracks);
+  void follow_and_decide(std::vector<TrackT*>& tracks);
   void start_tracks();
   void look_back(TrackT& object);
   void decide(TrackT& object, const Matrix3<double>& R_cur_fit, double dt);
   void place_masks();
   void take_outline(TrackT& object, const Image<float>& inverse_depth);
-  std::vector<TrackT*> far_to_near();
+  std::vector<TrackT*>& far_to_near();
   void paint(const std::vector<TrackT*>& order, Image<std::uint32_t>& ids) const;
   void label();
   double depth_tolerance(double q) const;
@@ -155,7 +160,7 @@ class Dot {
   SE3d T_cur_then(const TrackT& object, const Past& then) const;
   void adopt(TrackT& object, const Past& then);
   void renew_reference(TrackT& object, const Past& then, const Mask& mask, const Vector3<double>& centre);
-  void catch_up(const std::vector<TrackT*>& started, double start);
+  void catch_up(std::vector<TrackT*>& started, double start);
   void write_result(const Frame& frame);
   void take_time(Stage stage);
 
@@ -179,10 +184,11 @@ class Dot {
   PointSet fresh_;
   DepthLearning depth_learning_;
   Discovery<Camera, Noise> discovery_;
-  std::deque<TrackT> tracks_;
-  std::vector<Observed> observed_;
+  RecyclingList<TrackT> tracks_;
+  RecyclingList<Observed> observed_;
   bool segmented_ = false;
   SegmentedFrame segmented_frame_;  ///< the last one
+  bool segmented_before_ = false;   ///< it is the previous frame, whose images it takes over with the next labels
   SE3d T_cur_segmented_;            ///< camera motion since
   FrameHistory<Past> history_;      ///< whose masks may still come
   Image<std::uint8_t> nearer_;      ///< where objects nearer than the one being followed were found
@@ -196,8 +202,17 @@ class Dot {
   WarpWorkspace warp_workspace_;
   GrowWorkspace grow_workspace_;
   SplitWorkspace split_workspace_;
-  std::vector<std::pair<std::uint32_t, Mask>> split_;
   Image<std::uint8_t> blocked_;
+  std::vector<SE3d> camera_starts_, object_starts_;
+  ObjectReference here_;           ///< the object that `look_back` looks at
+  std::vector<TrackT*> selected_;  ///< by `tracks_that`
+  /// Buffers of what continues tracks by observed masks.
+  struct {
+    std::vector<Observed*> open;  ///< without a track
+    std::vector<Outline> predicted, observed;
+    std::vector<double> distance;
+    AssociationWorkspace association;
+  } matching_;
   std::chrono::steady_clock::time_point clock_;
 };
 

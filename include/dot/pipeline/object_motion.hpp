@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "dot/align/aligner.hpp"
@@ -28,6 +29,14 @@ struct ObjectReference {
   Matrix6<double> camera_covariance = Matrix6<double>::Zero();  ///< of T_cur_ref, left twist
   double gain = 1, offset = 0;                                  ///< of the image since then, the camera's
   SE3d T_obj_cur_ref;  ///< the object's points since then, camera and own motion composed
+
+  /// Makes it one of this time, of which nothing is known but what `points` holds.
+  void restart(double new_timestamp) {
+    ObjectReference fresh;
+    fresh.timestamp = new_timestamp;
+    std::swap(fresh.points, points);
+    *this = std::move(fresh);
+  }
 
   /// Another interval of the camera: its motion, with the covariance of the left twist, and the change of the image.
   void advance(const SE3d& T_c, const Matrix6<double>& covariance, double image_gain, double image_offset) {

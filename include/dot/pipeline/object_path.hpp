@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <deque>
+#include <algorithm>
+#include <vector>
 
 #include "dot/lie/se3.hpp"
 
@@ -23,23 +24,21 @@ class ObjectPath {
 
   /// Starts the motion since the newest frame. @param oldest what is before it is forgotten. Both in seconds.
   void add(double timestamp, double oldest) {
-    past_.push_front({timestamp, {}});
-    while (past_.back().timestamp < oldest) past_.pop_back();
+    past_.push_back({timestamp, {}});
+    past_.erase(past_.begin(),
+                std::find_if(past_.begin(), past_.end(), [oldest](const Past& p) { return !(p.timestamp < oldest); }));
   }
 
   /// Forgets where it was carried to after this time: it was not found there.
   void forget_after(double timestamp) {
-    while (!past_.empty() && past_.front().timestamp > timestamp) past_.pop_front();
+    while (!past_.empty() && past_.back().timestamp > timestamp) past_.pop_back();
   }
 
   /// M of a past frame. At a time that was forgotten, or before the object was known: at constant velocity.
   /// @param now seconds, of the newest frame. @param velocity m/s, newest camera's axes.
   SE3d since(double then, double now, const Vector3<double>& velocity) const {
     Past next{now, {}};
-    for (const Past& p : past_) {
-      if (p.timestamp < then) break;
-      next = p;
-    }
+    for (auto p = past_.rbegin(); p != past_.rend() && p->timestamp >= then; ++p) next = *p;
     return next.M * SE3d::translation(velocity * (next.timestamp - then));
   }
 
@@ -48,7 +47,7 @@ class ObjectPath {
     double timestamp;
     SE3d M;
   };
-  std::deque<Past> past_;  ///< newest first
+  std::vector<Past> past_;  ///< oldest first
 };
 
 DOT_END_NAMESPACE

@@ -3,13 +3,14 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
+#include <utility>
 
 #include "dot/mask/template.hpp"
 #include "dot/mask/warp.hpp"
 #include "dot/pipeline/object_motion.hpp"
 #include "dot/pipeline/object_path.hpp"
+#include "dot/pipeline/recycling_list.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -41,7 +42,7 @@ struct Track {
   bool contradicted = false;  ///< the last segmentation did not show it where it should be seen
 
   // Its motion.
-  std::deque<ObjectReference> references;     ///< newest first
+  RecyclingList<ObjectReference> references;  ///< newest first
   Reason no_reference = Reason::NoReference;  ///< why the last frame added none
   ObjectPath path;                            ///< since the frames whose masks may still come
   SE3d T_o_predicted;                         ///< constant velocity, previous camera's axes
@@ -63,8 +64,27 @@ struct Track {
   double last_seen = 0;                                       ///< timestamp
   bool lost = false;                                          ///< to be dropped before the next frame
 
+  /// Makes it a new object, in the memory of the one it was.
+  void restart(std::uint32_t new_id) {
+    outline.clear();
+    predicted.clear();
+    mask.clear();
+    references.clear();
+    path.clear();
+    Track fresh;
+    fresh.id = new_id;
+    std::swap(fresh.outline, outline);
+    std::swap(fresh.predicted, predicted);
+    std::swap(fresh.mask, mask);
+    std::swap(fresh.references, references);
+    std::swap(fresh.path, path);
+    *this = std::move(fresh);
+  }
+
   /// Whether the classifier tells a velocity; some have none after a frame without a fit.
   bool has_velocity() const { return velocity_covariance.trace() > 0; }
+
+  bool is_shown() const { return visible && !lost && !candidate; }
 
   /// m/s, newest camera's axes; zero unless it rather moves than stands.
   Vector3<double> expected_velocity() const {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <initializer_list>
 #include <stdexcept>
@@ -11,6 +12,7 @@
 #include <type_traits>
 
 #include "dot/abi.hpp"
+#include "dot/pipeline/field_name.hpp"
 #include "dot/pipeline/frame.hpp"
 #include "dot/pipeline/options.hpp"
 
@@ -58,7 +60,7 @@ inline void validate(const Options& options) {
 }
 
 /// Checks a view: present, one of `formats`, rows that fit the stride, and of the size width x height (0: any).
-inline void validate(const std::string& field, const ImageRef& image, std::initializer_list<PixelFormat> formats,
+inline void validate(const FieldName& field, const ImageRef& image, std::initializer_list<PixelFormat> formats,
                      int width, int height) {
   if (image.data == nullptr) bad_field(field, "is empty (null data)");
   if (image.width <= 0 || image.height <= 0) bad_field(field, "is empty (width or height is 0)");
@@ -76,21 +78,21 @@ inline void validate(const std::string& field, const ImageRef& image, std::initi
 }
 
 /// @throws std::invalid_argument naming the field of the masks of a frame of this size.
-inline void validate(const std::string& name, const Masks& masks, int width, int height) {
+inline void validate(const char* name, const Masks& masks, int width, int height) {
   if (masks.ids.data != nullptr)
-    validate(name + ".ids", masks.ids, {PixelFormat::Id8, PixelFormat::Id16, PixelFormat::Id32}, width, height);
+    validate({name, ".ids"}, masks.ids, {PixelFormat::Id8, PixelFormat::Id16, PixelFormat::Id32}, width, height);
   for (std::size_t i = 0; i < masks.instances.size; ++i) {
-    const std::string field = name + ".instances[" + std::to_string(i) + "]";
+    const auto index = static_cast<std::ptrdiff_t>(i);
     const Instance& instance = masks.instances[i];
     if (instance.mask.data != nullptr)
-      validate(field + ".mask", instance.mask, {PixelFormat::Grey8, PixelFormat::Id8}, 0, 0);
+      validate({name, ".mask", index}, instance.mask, {PixelFormat::Grey8, PixelFormat::Id8}, 0, 0);
     else if (masks.ids.data == nullptr)
-      bad_field(field, "has no mask of its own and there is no id image");
+      bad_field(FieldName(name, "", index), "has no mask of its own and there is no id image");
   }
 }
 
 /// @throws std::invalid_argument naming the field unless T, row-major 3x4, is a rotation and a translation.
-inline void validate(const std::string& field, const std::array<double, 12>& T) {
+inline void validate(const FieldName& field, const std::array<double, 12>& T) {
   for (const double v : T)
     if (!std::isfinite(v)) bad_field(field, "must be finite");
   for (int r = 0; r < 3; ++r)

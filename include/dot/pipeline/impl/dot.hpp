@@ -108,8 +108,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
   CameraState& c = camera_state_;
   c.alignment = {};
   c.covariance.setZero();
-  std::vector<SE3d> predicted{SE3d::exp(c.rate * current_.dt)};
-  if (frame.camera_prior) predicted.insert(predicted.begin(), SE3d::from_row_major(*frame.camera_prior).normalized());
+  std::vector<SE3d>& predicted = camera_starts_;
+  predicted.clear();
+  if (frame.camera_prior) predicted.push_back(SE3d::from_row_major(*frame.camera_prior).normalized());
+  predicted.push_back(SE3d::exp(c.rate * current_.dt));
   c.T_cur_prev = predicted.front();
   if (current_.dt <= 0) {
     c.status = CameraStatus::FirstFrame;
@@ -148,11 +150,14 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
   }
 }
 
+/// The tracks for which `condition` holds, by id; valid until the next call.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-auto Dot<Camera, Classifier, Noise, Aligner>::all_tracks() -> std::vector<TrackT*> {
-  std::vector<TrackT*> all;
-  for (TrackT& t : tracks_) all.push_back(&t);
-  return all;
+template <typename Condition>
+auto Dot<Camera, Classifier, Noise, Aligner>::tracks_that(Condition&& condition) -> std::vector<TrackT*>& {
+  selected_.clear();
+  for (TrackT& t : tracks_)
+    if (condition(std::as_const(t))) selected_.push_back(&t);
+  return selected_;
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -200,13 +205,12 @@ void Dot<Camera, Classifier, Noise, Aligner>::add_reference(const Selector<Camer
     if (size > 0.7 * object.size || object.position.z() <= 0) object.position = centre;
     object.size = std::max(object.size, size);
   }
-  ObjectReference r;
-  r.timestamp = current_.timestamp;
+  ObjectReference& r = object.references.push_front();
+  r.restart(current_.timestamp);
   const Reason reason = object.visible ? make_reference(select, object.mask, centre, r) : Reason::Hidden;
-  if (reason == Reason::None)
-    object.references.push_front(std::move(r));
-  else
-    object.no_reference = reason;
+  if (reason == Reason::None) return;
+  object.references.pop_front();
+  object.no_reference = reason;
 }
 
 /// Fills in what a mask shows of an object. @return why that is not enough, None if it is.
@@ -254,7 +258,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame) {
   objects_.clear();
   for (const TrackT& t : tracks_) {
     if (t.candidate) continue;
-    ObjectResult o;
+    ObjectResult& o = objects_.emplace_back();
     o.id = t.id;
     o.state = t.state;
     o.last_decided = t.last_decided;
@@ -283,24 +287,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame) {
     o.n_inliers = t.fit.n_inliers;
     copy(t.velocity, o.fused_velocity);
     copy(t.velocity_covariance, o.fused_covariance);
-    objects_.push_back(o);
-  }
-  // Areas and boxes of what is really seen in the label image.
-  ObjectResult* seen = nullptr;  // of the pixel before, mostly the same
-  for (int y = 0; y < ids_.height(); ++y) {
-    const std::uint32_t* row = ids_.row(y);
-    for (int x = 0; x < ids_.width(); ++x) {
-      if (!row[x]) continue;
-      if (!seen || seen->id != row[x])
-        seen = &*std::lower_bound(objects_.begin(), objects_.end(), row[x],
-                                  [](const ObjectResult& object, std::uint32_t id) { return object.id < id; });
-      ObjectResult& o = *seen;
-      if (o.area++ == 0) o.box = {x, y, x, y};
-      o.box = {std::min(o.box[0], x), std::min(o.box[1], y), std::max(o.box[2], x), std::max(o.box[3], y)};
+    if (t.is_shown()) {
+      o.area = t.mask.area;
+      o.box = t.mask.box();
     }
   }
-  for (ObjectResult& o : objects_)
-    if (o.area) o.box = {o.box[0], o.box[1], o.box[2] - o.box[0] + 1, o.box[3] - o.box[1] + 1};
   result_.labels = labels_.view();
   result_.ids = ids_.view();
   result_.objects = {objects_.data(), objects_.size()};

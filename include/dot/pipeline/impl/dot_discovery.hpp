@@ -21,11 +21,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::discover() {
   discovery_.advance(c.T_cur_prev, c.covariance, c.alignment.state.gain, c.alignment.state.offset);
   blocked_.resize(camera_.width(), camera_.height());
   blocked_.fill(0);
-  const auto mark = [&](const Mask& mask, std::uint8_t number) {
-    for (int y = 0; y < mask.height(); ++y)
-      for (int x = 0; x < mask.width(); ++x)
-        if (mask.pixels(x, y)) blocked_(mask.x + x, mask.y + y) = number;
-  };
+  const auto mark = [&](const Mask& mask, std::uint8_t number) { mask.write(number, blocked_); };
   std::uint8_t number = 0;
   for (const TrackT& t : tracks_) {
     if (stands(t)) {
@@ -46,11 +42,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::discover() {
   for (const Observed& o : observed_) mark(o.mask, discovery_.kCovered);
   discovery_.find(camera_, bounded_noise(), current_.pyramid, current_.depth, blocked_, current_.timestamp);
   for (Mask& mask : discovery_.masks) {
-    Observed o;
-    o.mask = std::move(mask);
+    Observed& o = observe();
+    std::swap(o.mask, mask);
     o.centre = anchor(o.mask, current_.inverse_depth());
     o.discovered = true;
-    observed_.push_back(std::move(o));
   }
 }
 

@@ -50,7 +50,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
   Past& then = *found;
 
   // The tracks as they were in that frame, by what is known of their motions now.
-  tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), [](const TrackT& t) { return t.lost; }), tracks_.end());
+  tracks_.drop_if([](const TrackT& t) { return t.lost; });
   for (TrackT& t : tracks_) {
     const SE3d T_then_cur = T_cur_then(t, then).inverse();
     t.observed = nullptr;
@@ -69,6 +69,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
     t.visible = t.observed || t.mask.area >= options_.mask.min_pixels;
   }
   paint(far_to_near(), segmented_frame_.ids);
+  segmented_before_ = false;
   segmented_frame_.inverse_depth = then.frame.inverse_depth();
   T_cur_segmented_ = then.since.T_cur_ref;
 
@@ -117,17 +118,16 @@ void Dot<Camera, Classifier, Noise, Aligner>::renew_reference(TrackT& object, co
   ObjectReference r = then.since;
   r.T_obj_cur_ref = T_cur_then(object, then);
   if (make_reference(selector(then.frame), mask, centre, r) != Reason::None) return;
-  const auto place = std::find_if(object.references.begin(), object.references.end(),
-                                  [&](const ObjectReference& other) { return other.timestamp <= r.timestamp; });
-  if (place != object.references.end() && place->timestamp == r.timestamp)
-    *place = std::move(r);
-  else
-    object.references.insert(place, std::move(r));
+  RecyclingList<ObjectReference>& all = object.references;
+  std::size_t place = 0;
+  while (place < all.size() && all[place].timestamp > r.timestamp) ++place;
+  const bool replaces = place < all.size() && all[place].timestamp == r.timestamp;
+  std::swap(replaces ? all[place] : all.insert(place), r);
 }
 
 /// Leads new tracks from the frame whose masks started them through all later ones, as if the masks had come in time.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::catch_up(const std::vector<TrackT*>& started, double start) {
+void Dot<Camera, Classifier, Noise, Aligner>::catch_up(std::vector<TrackT*>& started, double start) {
   const auto swap_in = [this](Past& p) {
     std::swap(current_, p.frame);
     std::swap(camera_state_, p.camera);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "dot/pipeline/dot.hpp"
 
@@ -14,7 +15,7 @@ DOT_BEGIN_NAMESPACE
 /// Masks and references of all tracks at constant velocity in this frame.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::predict_tracks() {
-  tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), [](const TrackT& t) { return t.lost; }), tracks_.end());
+  tracks_.drop_if([](const TrackT& t) { return t.lost; });
   const CameraState& c = camera_state_;
   T_cur_segmented_ = c.T_cur_prev * T_cur_segmented_;
   for (Past& p : history_) {
@@ -53,21 +54,18 @@ void Dot<Camera, Classifier, Noise, Aligner>::warp_outline(TrackT& object, const
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::read_masks(const Masks& masks, const Image<float>& inverse_depth) {
   if (masks.ids.data != nullptr) {
-    split_ids(masks.ids, split_, split_workspace_);
-    for (auto& [id, mask] : split_) {
-      Observed o;
+    split_ids(masks.ids, split_workspace_, [this](std::uint32_t id) -> Mask& {
+      Observed& o = observe();
       o.instance_id = id;
-      o.mask = std::move(mask);
-      observed_.push_back(std::move(o));
-    }
+      return o.mask;
+    });
   }
   for (const Instance& instance : masks.instances) {
     Observed* o = nullptr;
     if (instance.mask.data != nullptr) {
-      observed_.emplace_back();
-      o = &observed_.back();
+      o = &observe();
       o->instance_id = instance.id;
-      o->mask = mask_of(instance, camera_.width(), camera_.height());
+      mask_of(instance.mask, instance.x, instance.y, camera_.width(), camera_.height(), o->mask);
     } else {
       for (Observed& other : observed_)
         if (other.instance_id == instance.id) o = &other;
@@ -77,9 +75,18 @@ void Dot<Camera, Classifier, Noise, Aligner>::read_masks(const Masks& masks, con
     o->score = instance.score;
     o->always_dynamic = instance.always_dynamic;
   }
-  observed_.erase(std::remove_if(observed_.begin(), observed_.end(), [](const Observed& o) { return o.mask.empty(); }),
-                  observed_.end());
+  observed_.drop_if([](const Observed& o) { return o.mask.empty(); });
   for (Observed& o : observed_) o.centre = anchor(o.mask, inverse_depth);
+}
+
+/// Another mask, to be filled in.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+auto Dot<Camera, Classifier, Noise, Aligner>::observe() -> Observed& {
+  Observed& o = observed_.push_back();
+  Observed fresh;
+  std::swap(fresh.mask, o.mask);  // for its memory
+  o = std::move(fresh);
+  return o;
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -104,14 +111,14 @@ void Dot<Camera, Classifier, Noise, Aligner>::match(const std::vector<TrackT*>& 
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::match(const std::vector<TrackT*>& tracks, bool discovered) {
-  std::vector<Outline> predicted, observed;
-  std::vector<Observed*> open;
+  auto& [open, predicted, observed, distance, association] = matching_;
+  open.clear(), predicted.clear(), observed.clear();
   const auto inverse = [](const Vector3<double>& centre) { return centre.z() > 0 ? 1 / centre.z() : 0.0; };
   for (const TrackT* t : tracks) predicted.push_back({&t->predicted.mask, inverse(t->position)});
   for (Observed& o : observed_)
     if (!o.track && o.discovered == discovered) open.push_back(&o), observed.push_back({&o.mask, inverse(o.centre)});
   if (open.empty() || predicted.empty()) return;
-  const std::vector<int> partner = dot::associate(predicted, observed, options_.mask);
+  const std::vector<int>& partner = dot::associate(predicted, observed, options_.mask, association);
   for (std::size_t i = 0; i < open.size(); ++i)
     if (partner[i] >= 0) give(*open[i], *tracks[static_cast<std::size_t>(partner[i])]);
 }
@@ -134,13 +141,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::give(Observed& o, TrackT& t) {
 /// last, so that the outlines do not overlap. Where it is tells: within its size of where it should be.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::find_again() {
-  std::vector<TrackT*> hidden;
-  for (TrackT& t : tracks_)
-    if (!t.observed && t.position.z() > 0) hidden.push_back(&t);
-  std::vector<Observed*> open;
+  const std::vector<TrackT*>& hidden = tracks_that([](const TrackT& t) { return !t.observed && t.position.z() > 0; });
+  auto& [open, predicted, observed, distance, association] = matching_;
+  open.clear(), distance.clear();
   for (Observed& o : observed_)
     if (!o.track && !o.discovered) open.push_back(&o);
-  std::vector<double> distance;
   for (const Observed* o : open) {
     const Vector3<double>& now = o->centre;
     for (const TrackT* t : hidden) {
@@ -152,7 +157,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::find_again() {
                                                                : std::numeric_limits<double>::infinity());
     }
   }
-  const std::vector<int> partner = assign(distance, static_cast<int>(open.size()), static_cast<int>(hidden.size()));
+  const std::vector<int>& partner =
+      assign(distance, static_cast<int>(open.size()), static_cast<int>(hidden.size()), association.assignment);
   for (std::size_t i = 0; i < open.size(); ++i)
     if (partner[i] >= 0) give(*open[i], *hidden[static_cast<std::size_t>(partner[i])]);
 }
@@ -161,10 +167,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::find_again() {
 /// shows and no track explains, now that their motions are known, becomes a new track.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
-  std::vector<TrackT*> unmatched;
-  for (TrackT& t : tracks_)
-    if (!t.observed) unmatched.push_back(&t);
-  match(unmatched);
+  match(tracks_that([](const TrackT& t) { return !t.observed; }));
   find_again();
   start_tracks();
   for (TrackT& t : tracks_) {
@@ -208,8 +211,8 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Dot<Camera, Classifier, Noise, Aligner>::start_tracks() {
   for (Observed& o : observed_) {
     if (o.track) continue;
-    TrackT t;
-    t.id = next_id_++;
+    TrackT& t = tracks_.push_back();
+    t.restart(next_id_++);
     t.instance_id = o.instance_id;
     t.class_id = o.class_id;
     t.score = o.score;
@@ -221,8 +224,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::start_tracks() {
     if (t.discovered) t.support = discovery_.support(o.mask);
     t.fit.reason = Reason::New;
     if (t.always_dynamic) t.state = t.last_decided = State::Moving, t.p_moving = 1;
-    tracks_.push_back(std::move(t));
-    o.track = &tracks_.back();
+    o.track = &t;
   }
 }
 
@@ -236,10 +238,8 @@ double Dot<Camera, Classifier, Noise, Aligner>::depth_tolerance(double q) const 
 
 /// What is shown, far to near, predicted masks below those that the network saw.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-auto Dot<Camera, Classifier, Noise, Aligner>::far_to_near() -> std::vector<TrackT*> {
-  std::vector<TrackT*> order;
-  for (TrackT& t : tracks_)
-    if (t.visible && !t.lost && !t.candidate) order.push_back(&t);
+auto Dot<Camera, Classifier, Noise, Aligner>::far_to_near() -> std::vector<TrackT*>& {
+  std::vector<TrackT*>& order = tracks_that([](const TrackT& t) { return t.is_shown(); });
   const auto rank = [](const TrackT* t) {
     return std::make_tuple(t->observed && !t->discovered, t->inverse_depth(), t->id);
   };
@@ -253,22 +253,20 @@ void Dot<Camera, Classifier, Noise, Aligner>::paint(const std::vector<TrackT*>& 
                                                     Image<std::uint32_t>& ids) const {
   ids.resize(camera_.width(), camera_.height());
   ids.fill(0);
-  for (const TrackT* t : order)
-    for (int y = 0; y < t->mask.height(); ++y)
-      for (int x = 0; x < t->mask.width(); ++x) {
-        if (!t->mask.pixels(x, y)) continue;
-        ids(t->mask.x + x, t->mask.y + y) = t->id;
-      }
+  for (const TrackT* t : order) t->mask.write(t->id, ids);
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::label() {
+  if (std::exchange(segmented_before_, segmented_)) {
+    std::swap(segmented_frame_.ids, ids_);
+    std::swap(segmented_frame_.inverse_depth, previous_.depth.levels[0]);
+  }
   labels_.resize(camera_.width(), camera_.height());
   labels_.fill(0);
-  const std::vector<TrackT*> order = far_to_near();
+  const std::vector<TrackT*>& order = far_to_near();
   paint(order, ids_);
   // Near to far, so that what is nearer grows first.
-  Mask shown;
   for (auto i = order.rbegin(); i != order.rend(); ++i) {
     TrackT& t = **i;
     std::array<int, 4> box = t.mask.box();
@@ -277,18 +275,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::label() {
           segmented_frame_, t.T_cur_outline.inverse(), T_cur_segmented_.inverse(), camera_,
           current_.inverse_depth().view(), t.id, [this](double q) { return depth_tolerance(q); }, grow_workspace_, ids_,
           box);
-    crop_ids<std::uint32_t>(ids_.view(), t.id, box, shown);
-    std::swap(shown, t.mask);
+    crop_ids<std::uint32_t>(ids_.view(), t.id, box, t.mask);
     t.visible = !t.mask.empty();
-    for (int y = 0; y < t.mask.height(); ++y)
-      for (int x = 0; x < t.mask.width(); ++x)
-        if (t.mask.pixels(x, y)) labels_(t.mask.x + x, t.mask.y + y) = static_cast<std::uint8_t>(t.state);
+    t.mask.write(static_cast<std::uint8_t>(t.state), labels_);
   }
-  if (segmented_) {
-    segmented_frame_.inverse_depth = current_.inverse_depth();
-    segmented_frame_.ids = ids_;
-    T_cur_segmented_ = {};
-  }
+  if (segmented_) T_cur_segmented_ = {};
 }
 
 DOT_END_NAMESPACE

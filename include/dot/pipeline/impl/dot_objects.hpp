@@ -13,8 +13,9 @@
 
 DOT_BEGIN_NAMESPACE
 
+/// @param order sorted here, the nearest first
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::follow_and_decide(std::vector<TrackT*> order) {
+void Dot<Camera, Classifier, Noise, Aligner>::follow_and_decide(std::vector<TrackT*>& order) {
   std::sort(order.begin(), order.end(), [](const TrackT* l, const TrackT* r) {
     const double a = l->inverse_depth(), b = r->inverse_depth();
     return a != b ? a > b : l->id < r->id;
@@ -27,9 +28,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow_and_decide(std::vector<Trac
     advance(*object);
     const Mask& mask = object->observed ? *object->observed : object->predicted.mask;
     if (object->candidate || (!object->fit.ok() && !object->observed)) continue;
-    for (int y = 0; y < mask.height(); ++y)
-      for (int x = 0; x < mask.width(); ++x)
-        if (mask.pixels(x, y)) nearer_(mask.x + x, mask.y + y) = 255;
+    mask.write(std::uint8_t{255}, nearer_);
   }
 }
 
@@ -58,7 +57,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
 
   const auto fit_to = [&](const ObjectReference& reference) {
     const double age = current_.timestamp - reference.timestamp;
-    std::vector<SE3d> T_o = starts(object, reference);
+    std::vector<SE3d>& T_o = starts(object, reference);
     if (!object.has_motion && &reference == &object.references.front())
       for (const SE3d& T : object_estimator.search(reference, scene, age, noise, aligner)) T_o.push_back(T);
     return object_estimator.fit(reference, scene, T_o, known_velocity(object, reference), age, noise, aligner);
@@ -96,7 +95,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     last = k;
     const ObjectReference& older = object.references[static_cast<std::size_t>(k)];
     const SE3d start = older.T_cur_ref.inverse() * T_c * object.T_o * older.T_obj_cur_ref;
-    const ObjectFit long_fit = object_estimator.fit(older, scene, {start}, known_velocity(object, older),
+    object_starts_.assign(1, start);
+    const ObjectFit long_fit = object_estimator.fit(older, scene, object_starts_, known_velocity(object, older),
                                                     current_.timestamp - older.timestamp, noise, aligner);
     if (!long_fit.ok()) continue;
     decide_by(older, long_fit);
@@ -114,14 +114,16 @@ void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object) {
   const Current& before = history_.empty() ? previous_ : std::prev(history_.end())->frame;
   const SE3d T_prev_cur = camera_state_.T_cur_prev.inverse();
   const AlignState& change = camera_state_.alignment.state;
-  ObjectReference r;
+  ObjectReference& r = here_;
+  r.restart(current_.timestamp);
   if (make_reference(selector(current_), *object.observed, object.observed_centre, r) != Reason::None) return;
   r.advance(T_prev_cur, T_prev_cur.adjoint() * camera_state_.covariance * T_prev_cur.adjoint().transpose(),
             1 / change.gain, -change.offset / change.gain);
   const ObjectScene<Camera> scene{before.pyramid, camera_, before.depth, {}};
-  std::vector<SE3d> starts = object_estimator.search(r, scene, current_.dt, depth_noise, aligner);
-  starts.insert(starts.begin(), SE3d{});
-  const ObjectFit fit = object_estimator.fit(r, scene, starts, {}, current_.dt, depth_noise, aligner);
+  object_starts_.assign(1, SE3d{});
+  for (const SE3d& T : object_estimator.search(r, scene, current_.dt, depth_noise, aligner))
+    object_starts_.push_back(T);
+  const ObjectFit fit = object_estimator.fit(r, scene, object_starts_, {}, current_.dt, depth_noise, aligner);
   if (!fit.ok()) return;
   object.fit = fit.reversed(T_prev_cur);
   object.T_o = object.fit.T_o;
@@ -149,9 +151,10 @@ KnownVelocity Dot<Camera, Classifier, Noise, Aligner>::known_velocity(const Trac
 /// Where the alignment begins, the most trusted first: as predicted, standing still, moving as in the interval before,
 /// and where a network mask shows it.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-std::vector<SE3d> Dot<Camera, Classifier, Noise, Aligner>::starts(const TrackT& object, const ObjectReference& r) {
+std::vector<SE3d>& Dot<Camera, Classifier, Noise, Aligner>::starts(const TrackT& object, const ObjectReference& r) {
   const SE3d& T_c = camera_state_.T_cur_prev;
-  std::vector<SE3d> out;
+  std::vector<SE3d>& out = object_starts_;
+  out.clear();
   const double focal = camera_.intrinsics().fx;
   const auto add = [&](const SE3d& T_o) {
     const Vector3<double> moved = T_o * r.centroid;
@@ -215,8 +218,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object, const Matri
     object.trust.refuse();
   }
   if (object.discovered) confirm(object);
-  const Decision d =
-      classifier(object.memory, object.has_decisive ? &object.decisive : nullptr, R_cur_fit, dt);
+  const Decision d = classifier(object.memory, object.has_decisive ? &object.decisive : nullptr, R_cur_fit, dt);
   object.state = object.always_dynamic ? State::Moving : d.state;
   object.p_moving = object.always_dynamic ? 1 : d.p_moving;
   object.velocity = d.velocity;
@@ -239,6 +241,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object) {
   // The same motion seen from this camera: the prediction for the next interval.
   object.has_motion = fitted;
   if (fitted) object.T_o_last = T_c * object.fit.T_o * T_c.inverse();
+  if (object.observed) return;  // the mask that the network gave serves
   // What is static was predicted by the same motion.
   const auto& predicted_by = object.predicted_by;
   const bool same =

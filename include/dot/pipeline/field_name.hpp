@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace dot {
+
+/// Name of a field that a message tells: `field`, `field.instances[i]`, or a member of either. Put together only where
+/// something is wrong, so that what is right takes no memory.
+struct FieldName {
+  const char* field;
+  const char* member = "";
+  std::ptrdiff_t instance = -1;  ///< < 0: none
+
+  FieldName(const char* name) : field(name) {}  // NOLINT(google-explicit-constructor): as std::string has it
+  FieldName(const char* name, const char* its_member, std::ptrdiff_t its_instance = -1)
+      : field(name), member(its_member), instance(its_instance) {}
+
+  operator std::string() const {  // NOLINT(google-explicit-constructor)
+    return field + (instance < 0 ? std::string() : ".instances[" + std::to_string(instance) + "]") + member;
+  }
+};
+
+inline std::string operator+(const FieldName& name, const char* more) { return std::string(name) + more; }
+
+}  // namespace dot

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "dot/abi.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// A list of some dozens at most that keeps what it drops, for its memory: a new element comes with the contents of a
+/// dropped one, or of a new T, and is to be filled in. Elements stay where they are in memory.
+template <typename T>
+class RecyclingList {
+  using Slots = std::vector<std::unique_ptr<T>>;
+
+  template <typename Item, typename Slot>
+  class Iterator {
+   public:
+    using iterator_category = std::bidirectional_iterator_tag;
+    using value_type = T;
+    using difference_type = std::ptrdiff_t;
+    using pointer = Item*;
+    using reference = Item&;
+
+    Iterator() = default;
+    explicit Iterator(Slot slot) : slot_(slot) {}
+    Item& operator*() const { return **slot_; }
+    Item* operator->() const { return slot_->get(); }
+    Iterator& operator++() { return ++slot_, *this; }
+    Iterator& operator--() { return --slot_, *this; }
+    Iterator operator++(int) { return Iterator(slot_++); }
+    Iterator operator--(int) { return Iterator(slot_--); }
+    bool operator==(const Iterator& other) const { return slot_ == other.slot_; }
+    bool operator!=(const Iterator& other) const { return slot_ != other.slot_; }
+
+   private:
+    Slot slot_{};
+  };
+
+ public:
+  using iterator = Iterator<T, typename Slots::iterator>;
+  using const_iterator = Iterator<const T, typename Slots::const_iterator>;
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  T& operator[](std::size_t i) { return *slots_[i]; }
+  const T& operator[](std::size_t i) const { return *slots_[i]; }
+  T& front() { return *slots_.front(); }
+  const T& front() const { return *slots_.front(); }
+  T& back() { return *slots_[size_ - 1]; }
+  const T& back() const { return *slots_[size_ - 1]; }
+  iterator begin() { return iterator(slots_.begin()); }
+  iterator end() { return iterator(slots_.begin() + length()); }
+  const_iterator begin() const { return const_iterator(slots_.begin()); }
+  const_iterator end() const { return const_iterator(slots_.begin() + length()); }
+
+  /// A new element before the i-th.
+  T& insert(std::size_t i) {
+    if (size_ == slots_.size()) slots_.push_back(std::make_unique<T>());
+    const auto place = slots_.begin() + static_cast<std::ptrdiff_t>(i);
+    std::rotate(place, slots_.begin() + length(), slots_.begin() + length() + 1);
+    ++size_;
+    return **place;
+  }
+  T& push_front() { return insert(0); }
+  T& push_back() { return insert(size_); }
+
+  void pop_front() {
+    std::rotate(slots_.begin(), slots_.begin() + 1, slots_.begin() + length());
+    --size_;
+  }
+  void pop_back() { --size_; }
+  void clear() { size_ = 0; }
+
+  /// Drops the elements for which `condition` holds; the others keep their order.
+  template <typename Condition>
+  void drop_if(Condition&& condition) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < size_; ++i)
+      if (!condition(std::as_const(*slots_[i]))) std::swap(slots_[kept++], slots_[i]);
+    size_ = kept;
+  }
+
+ private:
+  std::ptrdiff_t length() const { return static_cast<std::ptrdiff_t>(size_); }
+
+  Slots slots_;  ///< the first size_ of them are the list
+  std::size_t size_ = 0;
+};
+
+DOT_END_NAMESPACE

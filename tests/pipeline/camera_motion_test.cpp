@@ -37,7 +37,9 @@ Alignment found(const Rendering& reference, const Rendering& current, double rea
   const PointSet points = exact_points(
       reference, camera, pyramid_of(reference), 4, [](int, int) { return true; }, 0.001f);
   DirectAligner<> aligner;
-  return CameraMotionEstimator{}.estimate(points, pyramid_of(current), camera, {SE3d{}}, false, reach, aligner);
+  dot::MinimaWorkspace workspace;
+  return CameraMotionEstimator{}.estimate(points, pyramid_of(current), camera, {SE3d{}}, false, reach, aligner,
+                                          workspace);
 }
 
 class FarForward : public testing::TestWithParam<double> {};

@@ -178,7 +178,8 @@ TEST(Reversed, IsTheMotionForwards) {
     ObjectFit other = back;
     other.T_o = SE3d::translation(then) * SE3d::exp(x) * SE3d::translation(-then) * back.T_o;
     const Vector3<double> moved = C * centroid;
-    const SE3d change = SE3d::translation(-moved) * other.reversed(C).T_o * out.T_o.inverse() * SE3d::translation(moved);
+    const SE3d change =
+        SE3d::translation(-moved) * other.reversed(C).T_o * out.T_o.inverse() * SE3d::translation(moved);
     ObjectFit of_x = back;
     of_x.sigma = x * x.transpose();
     const Vector6<double> y = change.log();

@@ -177,7 +177,7 @@ struct DirectAligner {
   }
 
  private:
-  static constexpr std::size_t kScalePoints = 1000;  ///< that tell the residual scale, to 4 %
+  static constexpr std::size_t kScalePoints = 1000;         ///< that tell the residual scale, to 4 %
   static constexpr double kStep = 0.02, kCoarseStep = 0.5;  ///< squared sigmas: smaller ones end level 0, or another
   static constexpr double kSameScale = 0.02;  ///< share by which two residual scales may differ and be the same
   static double sq(double x) { return x * x; }

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "dot/align/aligner.hpp"
@@ -39,6 +41,12 @@ struct Minima {
   static constexpr double kSamePixels = 0.1;
   std::vector<Alignment> found;
 
+  /// Drops those for which `condition` holds, unless it holds for all.
+  template <typename Condition>
+  void drop_if(Condition&& condition) {
+    if (!std::all_of(found.begin(), found.end(), condition))
+      found.erase(std::remove_if(found.begin(), found.end(), condition), found.end());
+  }
   /// @return whether it was a new one.
   template <typename Camera>
   bool add(const AlignProblem<Camera>& problem, const Alignment& a) {
@@ -47,6 +55,16 @@ struct Minima {
     found.push_back(a);
     return true;
   }
+};
+
+/// Buffers of the estimators that look for such minima.
+struct MinimaWorkspace {
+  Minima minima;
+  std::vector<AlignState> starts;
+  std::vector<std::pair<double, SE3d>> tried;          ///< places with their costs
+  std::vector<std::pair<double, AlignState>> shifted;  ///< likewise
+  std::vector<std::pair<double, std::size_t>> ranked;  ///< costs of the minima
+  std::vector<float> depths;
 };
 
 DOT_END_NAMESPACE

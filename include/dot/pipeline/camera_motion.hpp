@@ -34,11 +34,15 @@ struct CameraMotionEstimator {
   /// T_c, `margin` that over the next best minimum.
   template <typename Camera, typename Aligner>
   Alignment estimate(const PointSet& points, const Pyramid& image, const Camera& camera,
-                     const std::vector<SE3d>& predicted, bool known, double search, Aligner& aligner) const {
+                     const std::vector<SE3d>& predicted, bool known, double search, Aligner& aligner,
+                     MinimaWorkspace& workspace) const {
     const AlignProblem<Camera> problem{points, image, camera};
     const int top = std::min(points.levels, image.size()) - 1, fine = std::min(1, top);
     // On the fine level but one, minima are told apart; the finest is for those that remain.
-    Minima minima;
+    Minima& minima = workspace.minima;
+    minima.found.clear();
+    const double depth = median_depth(points, workspace.depths);
+    std::vector<AlignState>& starts = workspace.starts;
     const auto add = [&](const AlignState& start, int coarsest) {
       const Alignment a = aligner.align(problem, start, coarsest, fine);
       minima.add(problem, a);
@@ -51,22 +55,25 @@ struct CameraMotionEstimator {
       add({predicted[i], found.gain, found.offset}, fine);
     }
     if (predicted.back().log().norm() > 1e-3) add({SE3d{}, first.gain, first.offset}, top);
-    if (!known)
-      for (const SE3d& start : searched(problem, search, first, aligner)) add({start}, std::min(kSearchLevel, top));
+    if (!known) {
+      searched(problem, search, depth, first, aligner, workspace);
+      for (const AlignState& start : starts) add(start, std::min(kSearchLevel, top));
+    }
 
     // Few points may agree by chance, and better than any others.
     const auto sees_few = [&](const Alignment& a) { return a.seen < settings.min_points; };
-    if (!std::all_of(minima.found.begin(), minima.found.end(), sees_few))
-      minima.found.erase(std::remove_if(minima.found.begin(), minima.found.end(), sees_few), minima.found.end());
+    minima.drop_if(sees_few);
     const std::size_t unshifted = minima.found.size();
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : minima.found) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, fine));
-    for (std::size_t i = 0; i < unshifted; ++i)
-      for (const AlignState& start : shifted(problem, minima.found[i], fine, sigma, aligner)) add(start, fine);
+    for (std::size_t i = 0; i < unshifted; ++i) {
+      shifted(problem, minima.found[i], fine, sigma, depth, aligner, workspace);
+      for (const AlignState& start : starts) add(start, fine);
+    }
     std::vector<Alignment>& candidates = minima.found;
     if (fine > 0)
       for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);
-    return best(problem, candidates, aligner);
+    return best(problem, candidates, aligner, workspace);
   }
 
   /// Whether to believe what `estimate` found.
@@ -83,16 +90,17 @@ struct CameraMotionEstimator {
   static constexpr int kShifts = 6;               ///< to either side
   static constexpr double kAnotherMinimum = 5.0;  ///< pixels between the points' places at this one and at another
 
-  /// Of translations along each axis, at equal exposure since `state` may be anything, the best of those that fit
-  /// better than their neighbours. Sideways up to half the median depth, which leaves little of the image in common;
-  /// along the optical axis, where what is far stays in sight, twice as far.
+  /// Sets the starts to translations along each axis: at equal exposure since `state` may be anything, the best of
+  /// those that fit better than their neighbours. Sideways up to half the median depth, which leaves little of the
+  /// image in common; along the optical axis, where what is far stays in sight, twice as far.
   template <typename Camera, typename Aligner>
-  std::vector<SE3d> searched(const AlignProblem<Camera>& problem, double search, const AlignState& state,
-                             Aligner& aligner) const {
+  void searched(const AlignProblem<Camera>& problem, double search, double depth, const AlignState& state,
+                Aligner& aligner, MinimaWorkspace& workspace) const {
     constexpr int steps = 24;  // to either side
     const int level = std::min({kSearchLevel, problem.points.levels - 1, problem.image.size() - 1});
-    const double sigma = aligner.intensity_sigma(problem, state, level), depth = median_depth(problem.points);
-    std::vector<std::pair<double, SE3d>> found;
+    const double sigma = aligner.intensity_sigma(problem, state, level);
+    auto& found = workspace.tried;
+    found.clear();
     for (int axis = 0; axis < 3; ++axis) {
       const double reach = std::min(search, (axis == 2 ? 1 : 0.5) * depth);
       const auto start = [&](int i) { return SE3d::translation(Vector3<double>::Unit(axis) * reach * i / steps); };
@@ -110,25 +118,26 @@ struct CameraMotionEstimator {
     const auto keep = static_cast<std::ptrdiff_t>(std::min(found.size(), kSearched));
     std::partial_sort(found.begin(), found.begin() + keep, found.end(),
                       [](const auto& l, const auto& r) { return l.first < r.first; });
-    std::vector<SE3d> starts;
-    for (std::ptrdiff_t i = 0; i < keep; ++i) starts.push_back(found[static_cast<std::size_t>(i)].second);
-    return starts;
+    workspace.starts.clear();
+    for (std::ptrdiff_t i = 0; i < keep; ++i) workspace.starts.push_back({found[static_cast<std::size_t>(i)].second});
   }
 
-  /// Starts that may lead to other minima along the least determined direction, on the road that of travel: as pure
-  /// translations, and with rotation, gain and offset following as the covariance says, the two best of those that fit
-  /// better than their neighbours. Where the cost only rises, there is none.
+  /// Sets the starts to those that may lead to other minima along the least determined direction, on the road that of
+  /// travel: as pure translations, and with rotation, gain and offset following as the covariance says, the two best of
+  /// those that fit better than their neighbours. Where the cost only rises, there is none.
   template <typename Camera, typename Aligner>
-  std::vector<AlignState> shifted(const AlignProblem<Camera>& problem, const Alignment& a, int level, double sigma,
-                                  Aligner& aligner) const {
+  void shifted(const AlignProblem<Camera>& problem, const Alignment& a, int level, double sigma, double depth,
+               Aligner& aligner, MinimaWorkspace& workspace) const {
+    std::vector<AlignState>& starts = workspace.starts;
+    starts.clear();
     const Matrix3<double> C = a.covariance.topLeftCorner<3, 3>();
     const Eigen::SelfAdjointEigenSolver<Matrix3<double>> eigen(C);
     const Vector3<double> direction = eigen.eigenvectors().col(2);
     const Vector8 follow = a.covariance.leftCols<3>() * C.ldlt().solve(direction);
     Vector8 alone = Vector8::Zero();
     alone.head<3>() = direction;
-    if (!follow.allFinite()) return {};
-    const double reach = std::min(settings.restart_shift, 0.1 * median_depth(problem.points));
+    if (!follow.allFinite()) return;
+    const double reach = std::min(settings.restart_shift, 0.1 * depth);
     const auto start = [&](const Vector8& x, int i) {
       const Vector8 shift = reach * i / kShifts * x;
       return AlignState{SE3d::exp(shift.head<6>()) * a.state.T, a.state.gain + shift[6], a.state.offset + shift[7]};
@@ -138,7 +147,8 @@ struct CameraMotionEstimator {
                                    : aligner.rank(problem, start(x, i), level, sigma);
     };
     const double middle = cost(alone, 0);
-    std::vector<std::pair<double, AlignState>> found;
+    auto& found = workspace.shifted;
+    found.clear();
     for (const Vector8& x : {alone, follow})
       for (const int side : {-1, 1}) {
         double before = middle, here = cost(x, side);
@@ -151,13 +161,12 @@ struct CameraMotionEstimator {
     const auto keep = static_cast<std::ptrdiff_t>(std::min<std::size_t>(found.size(), 2));
     std::partial_sort(found.begin(), found.begin() + keep, found.end(),
                       [](const auto& l, const auto& r) { return l.first < r.first; });
-    std::vector<AlignState> starts;
     for (std::ptrdiff_t i = 0; i < keep; ++i) starts.push_back(found[static_cast<std::size_t>(i)].second);
-    return starts;
   }
 
-  static double median_depth(const PointSet& points) {
-    std::vector<float> q = points.q;
+  static double median_depth(const PointSet& points, std::vector<float>& q) {
+    q = points.q;
+    if (q.empty()) return 0;
     const auto middle = q.begin() + static_cast<std::ptrdiff_t>(q.size() / 2);
     std::nth_element(q.begin(), middle, q.end());
     return 1 / static_cast<double>(*middle);
@@ -165,22 +174,25 @@ struct CameraMotionEstimator {
 
   /// A later candidate must win by a margin: equal minima should not alternate.
   template <typename Camera, typename Aligner>
-  Alignment best(const AlignProblem<Camera>& problem, std::vector<Alignment>& candidates, Aligner& aligner) const {
+  Alignment best(const AlignProblem<Camera>& problem, std::vector<Alignment>& candidates, Aligner& aligner,
+                 MinimaWorkspace& workspace) const {
     if (candidates.size() == 1) {
       aligner.finish(problem, candidates[0]);
       return candidates[0];
     }
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
-    std::vector<double> costs;
-    for (const Alignment& a : candidates) costs.push_back(aligner.rank(problem, a.state, 0, sigma));
+    auto& costs = workspace.ranked;
+    costs.clear();
+    for (const Alignment& a : candidates) costs.push_back({aligner.rank(problem, a.state, 0, sigma), costs.size()});
     std::size_t chosen = 0;
-    for (std::size_t i = 1; i < costs.size(); ++i)
-      if (costs[i] < costs[chosen] * (1 - settings.restart_margin)) chosen = i;
+    for (const auto& [cost, i] : costs)
+      if (cost < costs[chosen].first * (1 - settings.restart_margin)) chosen = i;
     Alignment& a = candidates[chosen];
-    for (std::size_t i = 0; i < costs.size(); ++i)
+    const double least = costs[chosen].first;
+    for (const auto& [cost, i] : costs)
       if (pose_distance(problem.points, problem.camera, candidates[i].state.T, a.state.T) > kAnotherMinimum)
-        a.margin = std::min(a.margin, costs[i] > costs[chosen] ? costs[i] / costs[chosen] - 1 : 0);
+        a.margin = std::min(a.margin, cost > least ? cost / least - 1 : 0);
     aligner.finish(problem, a);
     return a;
   }

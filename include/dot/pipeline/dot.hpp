@@ -198,6 +198,7 @@ class Dot {
   std::vector<ObjectResult> objects_;
   Result result_;
 
+  MinimaWorkspace minima_workspace_;
   TemplateWorkspace template_workspace_;
   WarpWorkspace warp_workspace_;
   GrowWorkspace grow_workspace_;

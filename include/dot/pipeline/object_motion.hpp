@@ -93,7 +93,8 @@ struct ObjectMotionEstimator {
   /// @param starts of T_o, in the reference camera's axes, the most trusted first.
   template <typename Camera, typename Noise, typename Aligner>
   ObjectFit fit(const ObjectReference& reference, const ObjectScene<Camera>& scene, const std::vector<SE3d>& starts,
-                const KnownVelocity& known, double dt, const Noise& noise, Aligner& aligner) const {
+                const KnownVelocity& known, double dt, const Noise& noise, Aligner& aligner,
+                MinimaWorkspace& workspace) const {
     ObjectFit out;
     const AlignProblem<Camera> problem = make_problem(reference, scene, dt, noise);
     if (reference.points.size() < settings.min_points) {
@@ -105,7 +106,8 @@ struct ObjectMotionEstimator {
     int top = std::min(reference.points.levels, scene.image.size()) - 1;
     while (top > 0 && std::sqrt(1.0 * reference.area) / (1 << top) < 5) --top;
     const int fine = std::min(1, top);
-    Minima minima;
+    Minima& minima = workspace.minima;
+    minima.found.clear();
     for (const SE3d& T_o : starts)
       minima.add(problem, aligner.align(problem, {problem.T_outer * T_o, reference.gain, reference.offset}, top, fine));
     std::vector<Alignment>& candidates = minima.found;
@@ -113,27 +115,27 @@ struct ObjectMotionEstimator {
     const auto sees_few = [&](const Alignment& a) {
       return a.seen < settings.min_inliers || a.seen < 0.3 * settings.min_visible * reference.points.size();
     };
-    if (!std::all_of(candidates.begin(), candidates.end(), sees_few))
-      candidates.erase(std::remove_if(candidates.begin(), candidates.end(), sees_few), candidates.end());
+    minima.drop_if(sees_few);
     if (fine > 0)
       for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);
     // A later start must win by a margin: equal minima should not alternate.
-    std::vector<std::pair<double, Alignment*>> order;
+    auto& order = workspace.ranked;
+    order.clear();
     if (candidates.size() == 1) {
-      order.push_back({0, &candidates[0]});
+      order.push_back({0, 0});
     } else {
       double sigma = std::numeric_limits<double>::infinity();
       for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
-      for (Alignment& a : candidates) {
-        const double cost = aligner.rank(problem, a.state, 0, sigma) * (order.empty() ? 0.98 : 1);
-        if (std::isfinite(cost)) order.push_back({cost, &a});
+      for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const double cost = aligner.rank(problem, candidates[i].state, 0, sigma) * (order.empty() ? 0.98 : 1);
+        if (std::isfinite(cost)) order.push_back({cost, i});
       }
     }
-    std::stable_sort(order.begin(), order.end(), [](const auto& l, const auto& r) { return l.first < r.first; });
+    std::sort(order.begin(), order.end());
     // The best minimum that holds before the checks; the best of all says why there is none.
     out.reason = Reason::LeavesImage;
     for (std::size_t i = 0; i < std::min<std::size_t>(order.size(), 4); ++i) {
-      Alignment& a = *order[i].second;
+      Alignment& a = candidates[order[i].second];
       aligner.finish(problem, a);
       ObjectFit attempt;
       fill(reference, a, problem, scene, dt, noise, attempt);
@@ -162,33 +164,32 @@ struct ObjectMotionEstimator {
     return out;
   }
 
-  /// Of many velocities the starts that fit best on a coarse level; for an object without history.
+  /// Adds to `starts`, of many velocities, those that fit best on a coarse level; for an object without history.
   template <typename Camera, typename Noise, typename Aligner>
-  std::vector<SE3d> search(const ObjectReference& reference, const ObjectScene<Camera>& scene, double dt,
-                           const Noise& noise, Aligner& aligner) const {
-    if (reference.points.size() < settings.min_points) return {};
+  void search(const ObjectReference& reference, const ObjectScene<Camera>& scene, double dt, const Noise& noise,
+              Aligner& aligner, MinimaWorkspace& workspace, std::vector<SE3d>& starts) const {
+    if (reference.points.size() < settings.min_points) return;
     const AlignProblem<Camera> problem = make_problem(reference, scene, dt, noise);
     const int levels = std::min(reference.points.levels, scene.image.size());
     const int fine = std::min(2, levels - 1);
     // Traffic mostly goes where the camera does.
-    std::vector<SE3d> starts{
-        SE3d::translation(reference.T_cur_ref.inverse() * reference.centroid - reference.centroid)};
-    search(reference, scene, problem, fine, dt, 8, aligner, starts);
+    starts.push_back(SE3d::translation(reference.T_cur_ref.inverse() * reference.centroid - reference.centroid));
+    search(reference, scene, problem, fine, dt, 8, aligner, workspace, starts);
     // What is large may move by many pixels of that level between two frames: also on one where these are few, if the
     // object still has some structure there.
     const double focal = scene.camera.intrinsics().fx, half_size = 0.5 * std::sqrt(1.0 * reference.area);
     const double pixels = settings.search_speed * dt * focal / std::max(0.1, reference.centroid.z());
     int coarse = fine;
     while (coarse + 1 < levels && half_size > 6 << (coarse + 1) && pixels > 16 << coarse) ++coarse;
-    if (coarse > fine) search(reference, scene, problem, coarse, dt, 16, aligner, starts);
-    return starts;
+    if (coarse > fine) search(reference, scene, problem, coarse, dt, 16, aligner, workspace, starts);
   }
 
  private:
   /// Adds the three best velocities of a grid on one level, up to `steps` to each side.
   template <typename Camera, typename Aligner>
   void search(const ObjectReference& reference, const ObjectScene<Camera>& scene, const AlignProblem<Camera>& problem,
-              int level, double dt, int steps, Aligner& aligner, std::vector<SE3d>& starts) const {
+              int level, double dt, int steps, Aligner& aligner, MinimaWorkspace& workspace,
+              std::vector<SE3d>& starts) const {
     const AlignState still{problem.T_outer, reference.gain, reference.offset};
     const double sigma = aligner.intensity_sigma(problem, still, level);
     // Steps of two pixels of that level sideways; along the ray as far as makes the same change of scale at the border.
@@ -196,7 +197,8 @@ struct ObjectMotionEstimator {
     const double focal = scene.camera.intrinsics().fx / (1 << level);
     const double half_size = std::max(2.0, 0.5 * std::sqrt(1.0 * reference.area) / (1 << level));
     const double side = std::max(2 * z / focal, reach / steps), along = std::max(z / half_size, reach / 6);
-    std::vector<std::pair<double, SE3d>> found;
+    auto& found = workspace.tried;
+    found.clear();
     for (double dz = -std::floor(reach / along) * along; dz <= reach; dz += along)
       for (double dx = -std::floor(reach / side) * side; dx <= reach; dx += side) {
         const SE3d T_o = SE3d::translation(Vector3<double>(dx, 0, dz));

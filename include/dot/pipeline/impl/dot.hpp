@@ -131,7 +131,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
     const SE3d T_prev_background = T_cur_background_;
     for (SE3d& T : predicted) T = T * T_prev_background;
     c.alignment = camera_estimator.estimate(background_, current_.pyramid, camera_, predicted, c.rate_known,
-                                            options_.camera.search_speed * current_.dt, aligner);
+                                            options_.camera.search_speed * current_.dt, aligner, minima_workspace_);
     const Alignment& a = c.alignment;
     const bool ok = camera_estimator.accepts(a, c.rate_known || frame.camera_prior.has_value());
     c.status = ok ? CameraStatus::Tracked : CameraStatus::Lost;

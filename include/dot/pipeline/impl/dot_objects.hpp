@@ -59,8 +59,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     const double age = current_.timestamp - reference.timestamp;
     std::vector<SE3d>& T_o = starts(object, reference);
     if (!object.has_motion && &reference == &object.references.front())
-      for (const SE3d& T : object_estimator.search(reference, scene, age, noise, aligner)) T_o.push_back(T);
-    return object_estimator.fit(reference, scene, T_o, known_velocity(object, reference), age, noise, aligner);
+      object_estimator.search(reference, scene, age, noise, aligner, minima_workspace_, T_o);
+    return object_estimator.fit(reference, scene, T_o, known_velocity(object, reference), age, noise, aligner,
+                                minima_workspace_);
   };
   const auto decide_by = [&](const ObjectReference& reference, const ObjectFit& fit) {
     const MotionEstimate& motion = fit.motion;
@@ -96,8 +97,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     const ObjectReference& older = object.references[static_cast<std::size_t>(k)];
     const SE3d start = older.T_cur_ref.inverse() * T_c * object.T_o * older.T_obj_cur_ref;
     object_starts_.assign(1, start);
-    const ObjectFit long_fit = object_estimator.fit(older, scene, object_starts_, known_velocity(object, older),
-                                                    current_.timestamp - older.timestamp, noise, aligner);
+    const ObjectFit long_fit =
+        object_estimator.fit(older, scene, object_starts_, known_velocity(object, older),
+                             current_.timestamp - older.timestamp, noise, aligner, minima_workspace_);
     if (!long_fit.ok()) continue;
     decide_by(older, long_fit);
     const ObjectFit shared =
@@ -121,9 +123,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object) {
             1 / change.gain, -change.offset / change.gain);
   const ObjectScene<Camera> scene{before.pyramid, camera_, before.depth, {}};
   object_starts_.assign(1, SE3d{});
-  for (const SE3d& T : object_estimator.search(r, scene, current_.dt, depth_noise, aligner))
-    object_starts_.push_back(T);
-  const ObjectFit fit = object_estimator.fit(r, scene, object_starts_, {}, current_.dt, depth_noise, aligner);
+  object_estimator.search(r, scene, current_.dt, depth_noise, aligner, minima_workspace_, object_starts_);
+  const ObjectFit fit =
+      object_estimator.fit(r, scene, object_starts_, {}, current_.dt, depth_noise, aligner, minima_workspace_);
   if (!fit.ok()) return;
   object.fit = fit.reversed(T_prev_cur);
   object.T_o = object.fit.T_o;

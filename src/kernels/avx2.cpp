@@ -5,7 +5,7 @@
 // could be the copy that the linker keeps for everybody.
 #include <immintrin.h>
 
-#include "dot/align/impl/kernel_body.hpp"
+#include "dot/kernel/impl/kernels_of.hpp"
 #include "variants.hpp"
 
 namespace dot::kernel {

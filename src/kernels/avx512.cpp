@@ -4,7 +4,7 @@
 // Built with -mavx512f -mavx512dq -mfma; see avx2.cpp on what may be included.
 #include <immintrin.h>
 
-#include "dot/align/impl/kernel_body.hpp"
+#include "dot/kernel/impl/kernels_of.hpp"
 #include "variants.hpp"
 
 namespace dot::kernel {

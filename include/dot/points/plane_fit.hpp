@@ -9,7 +9,7 @@
 
 #include "dot/abi.hpp"
 #include "dot/image/view.hpp"
-#include "dot/lanes.hpp"
+#include "dot/kernel/lanes.hpp"
 
 DOT_BEGIN_NAMESPACE
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
-#include "dot/align/kernel.hpp"
+#include "dot/align/kernel_reduction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "dot/align/dispatch.hpp"
-#include "dot/align/kernel_reduction.hpp"
 #include "dot/camera/radtan.hpp"
+#include "dot/kernel/dispatch.hpp"
 #include "support/random.hpp"
 
 /// @file

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "dot/align/dispatch.hpp"
-#include "dot/align/portable_kernels.hpp"
+#include "dot/kernel/dispatch.hpp"
+#include "dot/kernel/portable_kernels.hpp"
 #include "support/random.hpp"
 
 /// @file

@@ -4,11 +4,11 @@
 
 #include <cstddef>
 
-#include "dot/align/settings.hpp"
+#include "dot/kernel/settings.hpp"
 
 /// @file
-/// The one signature of the compiled kernels: the photometric factor of align/reduction.hpp for a pinhole camera, over
-/// raw pointers. Plain structs alone, so that a unit built for another instruction set shares no code with its host.
+/// What the photometric kernels take and give: the factor of align/reduction.hpp for a pinhole camera, over raw
+/// pointers. Plain structs alone, so that a unit built for another instruction set shares no code with its host.
 
 namespace dot::kernel {
 
@@ -92,14 +92,6 @@ struct Sums {
   double cost = 0;  ///< Huber, sum
   int seen = 0, occluded = 0;
   double modes[4][8] = {};  ///< with a depth term only
-};
-
-/// A set of kernels for one kind of machine. Reentrant; results depend on the arguments alone.
-struct Kernels {
-  const char* name;
-  void (*residuals)(const Input& in, const Residuals& out);
-  void (*linearize)(const Input& in, Sums& out);       ///< pose, gain and offset
-  void (*linearize_pose)(const Input& in, Sums& out);  ///< pose alone
 };
 
 }  // namespace dot::kernel

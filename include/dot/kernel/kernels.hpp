@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dot/kernel/gradients.hpp"
 #include "dot/kernel/photometric.hpp"
+#include "dot/kernel/planes.hpp"
 
 /// @file
 /// The one signature of the kernels, portable or compiled.
@@ -16,6 +18,12 @@ struct Kernels {
   void (*residuals)(const Input& in, const Residuals& out);
   void (*linearize)(const Input& in, Sums& out);       ///< pose, gain and offset
   void (*linearize_pose)(const Input& in, Sums& out);  ///< pose alone
+  /// Fits a plane robustly to the inverse depth about each of `count` seeds: three least-squares passes, the first with
+  /// the wide gate about the seed (a steep plane), then about the fit.
+  void (*fit_planes)(const InverseDepth& image, const PlaneWindow& window, const PlaneSeed* seeds, int count,
+                     Plane* planes);
+  /// The largest GradientStrip::key of each column, or that of `threshold` in row 0 where no gradient is above it.
+  void (*strongest_gradients)(const GradientStrip& strip, int threshold, int* keys);
 };
 
 }  // namespace dot::kernel

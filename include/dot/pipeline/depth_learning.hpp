@@ -72,9 +72,9 @@ struct DepthLearning {
     change = common = pixel = {};
   }
 
-  /// Cuts the frame's background. `blocked` is non-zero where objects are.
+  /// Cuts the frame's background. `background` is zero where objects are.
   template <typename Camera>
-  void remember(const Camera& camera, const Image<float>& inverse_depth, const Image<std::uint8_t>& blocked,
+  void remember(const Camera& camera, const Image<float>& inverse_depth, const Image<std::uint8_t>& background,
                 double timestamp) {
     Patches p;
     p.timestamp = timestamp;
@@ -84,7 +84,7 @@ struct DepthLearning {
         for (int y = y0 + kStep / 2; y < y0 + kHeight; y += kStep)
           for (int x = x0 + kStep / 2; x < x0 + kWidth; x += kStep) {
             const float q = inverse_depth(x, y);
-            if (q <= 0 || blocked(x, y)) continue;
+            if (q <= 0 || !background(x, y)) continue;
             const Vector3<float> ray =
                 camera.template unproject<float>(Vector2<float>(static_cast<float>(x), static_cast<float>(y)));
             p.x.push_back(ray.x());

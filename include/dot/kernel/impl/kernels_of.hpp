@@ -3,6 +3,8 @@
 #pragma once
 
 #include "dot/kernel/impl/photometric_sums.hpp"
+#include "dot/kernel/impl/plane_fitter.hpp"
+#include "dot/kernel/impl/strongest_gradients.hpp"
 #include "dot/kernel/kernels.hpp"
 
 /// @file
@@ -26,7 +28,7 @@ namespace dot::kernel {
 /// The functions over V.
 template <typename V>
 constexpr Kernels kernels_of(const char* name) {
-  return {name, residuals<V>, linearize<V, 8>, linearize<V, 6>};
+  return {name, residuals<V>, linearize<V, 8>, linearize<V, 6>, fit_planes<V>, strongest_gradients<V>};
 }
 
 }  // namespace dot::kernel

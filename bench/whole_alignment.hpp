@@ -30,8 +30,9 @@ class WholeAlignment {
   }
   void build(const ImageRef& image, const ImageRef& depth) {
     to_grey(image, grey_);
-    pyramid_.build(grey_.view(), pyramid_levels(image.width, image.height, aligner.settings.max_levels));
-    to_inverse_depth(depth, selection.max_depth, inverse_depth_);
+    pyramid_.build(grey_.view(), pyramid_levels(image.width, image.height, aligner.settings.max_levels),
+                   *aligner.reduction.kernels);
+    to_inverse_depth(depth, selection.max_depth, inverse_depth_, *aligner.reduction.kernels);
   }
   void select() {
     const Selector<Pinhole, DepthNoise> selector{

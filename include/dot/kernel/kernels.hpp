@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dot/kernel/gradients.hpp"
+#include "dot/kernel/images.hpp"
 #include "dot/kernel/photometric.hpp"
 #include "dot/kernel/planes.hpp"
 
@@ -24,6 +25,15 @@ struct Kernels {
                      Plane* planes);
   /// The largest GradientStrip::key of each column, or that of `threshold` in row 0 where no gradient is above it.
   void (*strongest_gradients)(const GradientStrip& strip, int threshold, int* keys);
+  /// Inverse depth of n values of a row, 1/m; 0 where there is no measurement.
+  void (*invert_words)(const unsigned short* values, int n, const DepthUnits& units, float* out);
+  void (*invert_floats)(const float* values, int n, const DepthUnits& units, float* out);
+  /// The mean of those of 2x2 pixels that belong to the nearest surface among them; n pixels of 2 n in each row.
+  void (*halve_depth)(const float* upper, const float* lower, int n, float* out);
+  /// A row from five of n pixels, blurred both ways; pixels at the ends serve as those beyond. Rounded once.
+  void (*blur)(const unsigned char* const* rows, int n, const BlurWeights& weights, unsigned char* out);
+  /// The mean of 2x2 pixels, halves upwards; n pixels of 2 n in each row.
+  void (*halve)(const unsigned char* upper, const unsigned char* lower, int n, unsigned char* out);
 };
 
 }  // namespace dot::kernel

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dot/kernel/impl/image_rows.hpp"
 #include "dot/kernel/impl/photometric_sums.hpp"
 #include "dot/kernel/impl/plane_fitter.hpp"
 #include "dot/kernel/impl/strongest_gradients.hpp"
@@ -13,6 +14,8 @@
 /// has, besides W, the types F (float lanes), I (32-bit integers), M (a mask), and static functions:
 ///
 ///     F set(float), load(const float*); void store(float*, F); float sum(F);
+///     F load_words(const unsigned short*);                       // W of them
+///     void load_pairs(const float*, F& even, F& odd);            // of 2 W values
 ///     F add, sub, mul, div, min, max(F, F); fma(F a, F b, F c);  // a b + c; max(NaN, b) = b
 ///     F abs(F), inverse_sqrt(F);                                 // the latter to about float precision
 ///     M less(F, F), not_less(F, F);                              // false for NaN
@@ -28,7 +31,17 @@ namespace dot::kernel {
 /// The functions over V.
 template <typename V>
 constexpr Kernels kernels_of(const char* name) {
-  return {name, residuals<V>, linearize<V, 8>, linearize<V, 6>, fit_planes<V>, strongest_gradients<V>};
+  return {name,
+          residuals<V>,
+          linearize<V, 8>,
+          linearize<V, 6>,
+          fit_planes<V>,
+          strongest_gradients<V>,
+          invert_depth<V, unsigned short>,
+          invert_depth<V, float>,
+          halve_depth<V>,
+          blur<V>,
+          halve<V>};
 }
 
 }  // namespace dot::kernel

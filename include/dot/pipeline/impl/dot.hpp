@@ -97,10 +97,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::build(const Frame& frame) {
   to_grey(frame.image, current_.grey);
   current_.pyramid.build(
       current_.grey.view(),
-      pyramid_levels(frame.image.width, frame.image.height, std::min(options_.align.max_levels, PointSet::kMaxLevels)));
+      pyramid_levels(frame.image.width, frame.image.height, std::min(options_.align.max_levels, PointSet::kMaxLevels)),
+      kernels());
   current_.depth.levels.resize(current_.pyramid.levels.size());
-  to_inverse_depth(frame.depth, options_.selection.max_depth, current_.depth.levels[0]);
-  current_.depth.build(current_.pyramid.size());
+  to_inverse_depth(frame.depth, options_.selection.max_depth, current_.depth.levels[0], kernels());
+  current_.depth.build(current_.pyramid.size(), kernels());
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "support/guarded.hpp"
 #include "support/kernel_variants.hpp"
@@ -123,6 +124,54 @@ TEST(ImageKernels, Halve) {
       }
     }
   }
+}
+
+/// As image/pyramid.hpp's `sample`, of a point moved inside; in double.
+double expected_value(const kernel::Level& level, double u, double v, double* gu, double* gv) {
+  u = std::clamp(u, 1.0, level.width - 2.01), v = std::clamp(v, 1.0, level.height - 2.01);
+  const int x = static_cast<int>(u), y = static_cast<int>(v);
+  const double a = u - x, b = v - y;
+  const auto bilinear = [&](int dx, int dy) {
+    const auto at = [&](int i, int j) {
+      return static_cast<double>(level.data[(y + dy + j) * level.stride + x + dx + i]);
+    };
+    return (1 - b) * ((1 - a) * at(0, 0) + a * at(1, 0)) + b * ((1 - a) * at(0, 1) + a * at(1, 1));
+  };
+  *gu = 0.5 * (bilinear(1, 0) - bilinear(-1, 0)), *gv = 0.5 * (bilinear(0, 1) - bilinear(0, -1));
+  return bilinear(0, 0);
+}
+
+// To 0.05 grey values: a coordinate of a float pixel is good to 1e-4, and neighbours differ by up to 255.
+TEST(ImageKernels, SampleWithinTheImage) {
+  Random random(5);
+  for (const bool at_the_end : {true, false})
+    for (const auto& [width, height] : {std::pair{4, 4}, {37, 29}})
+      for (const int n : lengths) {
+        constexpr int kPadding = 5;
+        const int stride = width + kPadding;
+        const auto size = static_cast<std::size_t>(n);
+        const Guarded image(static_cast<std::size_t>(stride * (height - 1) + width), at_the_end);
+        const Guarded u(4 * size, at_the_end), v(4 * size, at_the_end), value(4 * size, at_the_end);
+        const Guarded gu(4 * size, at_the_end), gv(4 * size, at_the_end);
+        for (int i = 0; i < stride * (height - 1) + width; ++i)
+          image.bytes()[i] = static_cast<unsigned char>(random.uniform(0, 256));
+        for (int i = 0; i < n; ++i) {
+          u.floats()[i] = static_cast<float>(random.uniform(-9, 4 * width + 9));
+          v.floats()[i] = static_cast<float>(random.uniform(-9, 4 * height + 9));
+        }
+        const kernel::Level level{image.bytes(), width, height, stride};
+        for (const kernel::Kernels* k : kernel_variants()) {
+          k->sample(level, 0.25f, u.floats(), v.floats(), n, {value.floats(), gu.floats(), gv.floats()});
+          for (int i = 0; i < n; ++i) {
+            const double x = 0.25 * (static_cast<double>(u.floats()[i]) + 0.5) - 0.5;
+            const double y = 0.25 * (static_cast<double>(v.floats()[i]) + 0.5) - 0.5;
+            double dx = 0, dy = 0;
+            ASSERT_NEAR(value.floats()[i], expected_value(level, x, y, &dx, &dy), 0.05) << k->name;
+            ASSERT_NEAR(gu.floats()[i], dx, 0.05) << k->name;
+            ASSERT_NEAR(gv.floats()[i], dy, 0.05) << k->name;
+          }
+        }
+      }
 }
 
 }  // namespace

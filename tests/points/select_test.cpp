@@ -245,7 +245,10 @@ TEST(Selector, SamplesTheIntensitiesOfEachLevel) {
       const float u = (points.u[i] + 0.5f) * scale - 0.5f, v = (points.v[i] + 0.5f) * scale - 0.5f;
       if (u < 1 || v < 1 || u > static_cast<float>(level.width() - 3) || v > static_cast<float>(level.height() - 3))
         continue;
-      EXPECT_FLOAT_EQ(points.intensity[l][i], sample(level, u, v).value);
+      const dot::Sample s = sample(level, u, v);
+      EXPECT_NEAR(points.intensity[l][i], s.value, 1e-3);  // float rounding
+      EXPECT_NEAR(points.gu[l][i], s.gx, 1e-3);
+      EXPECT_NEAR(points.gv[l][i], s.gy, 1e-3);
     }
   }
 }

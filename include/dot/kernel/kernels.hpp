@@ -19,6 +19,9 @@ struct Kernels {
   void (*residuals)(const Input& in, const Residuals& out);
   void (*linearize)(const Input& in, Sums& out);       ///< pose, gain and offset
   void (*linearize_pose)(const Input& in, Sums& out);  ///< pose alone
+  /// Samples a level of at least 4 x 4 pixels at n points (u, v), pixels of level 0, of which `scale` is the size in
+  /// those of the level; points at its border are moved inside.
+  void (*sample)(const Level& level, float scale, const float* u, const float* v, int n, const Samples& out);
   /// Fits a plane robustly to the inverse depth about each of `count` seeds: three least-squares passes, the first with
   /// the wide gate about the seed (a steep plane), then about the fit.
   void (*fit_planes)(const InverseDepth& image, const PlaneWindow& window, const PlaneSeed* seeds, int count,

@@ -85,6 +85,13 @@ constexpr unsigned char kSeen = 1;      ///< inside the image, in front, not hid
 constexpr unsigned char kHasDepth = 2;  ///< r_depth holds
 constexpr unsigned char kOccluded = 4;  ///< inside the image, but hidden
 
+/// Of an image at points, arrays of the caller, one value a point.
+struct Samples {
+  float* value = nullptr;  ///< grey values, bilinear
+  float* gu = nullptr;     ///< grey values per pixel: central differences, bilinear
+  float* gv = nullptr;     ///< see gu
+};
+
 /// Sums over the points, see NormalEquations. Of the pose alone: the first six rows and columns, the rest zero.
 struct Sums {
   double H[64] = {};  ///< 8x8, of [xi; a; b], symmetric

@@ -197,6 +197,7 @@ class Dot {
   DepthLearning depth_learning_;
   Discovery<Camera, Noise> discovery_;
   std::deque<TrackT> tracks_;
+  std::vector<PointSet> spare_points_;  ///< of dropped references, whose memory serves the next ones
   std::vector<Observed> observed_;
   bool segmented_ = false;
   SegmentedFrame segmented_frame_;  ///< the last one

@@ -92,10 +92,14 @@ struct Selector {
       strip.q = region.shared ? nullptr : region.surface.row(y - box.y) + (x0 - box.x);
       kernels.strongest_gradients(strip, threshold, keys.data());
       for (int begin = 0; begin < strip.width; begin += cell) {
-        const auto first = keys.begin() + begin;
-        const auto best = std::max_element(first, first + std::min(cell, strip.width - begin));
-        if (strip.gradient_of(*best) <= threshold) continue;
-        const int u = x0 - box.x + static_cast<int>(best - keys.begin()), v = y - box.y + strip.row_of(*best);
+        int best = keys[static_cast<std::size_t>(begin)], column = begin;
+        for (int x = begin + 1; x < std::min(begin + cell, strip.width); ++x) {
+          const int key = keys[static_cast<std::size_t>(x)];
+          column = key > best ? x : column;
+          best = std::max(best, key);
+        }
+        if (strip.gradient_of(best) <= threshold) continue;
+        const int u = x0 - box.x + column, v = y - box.y + strip.row_of(best);
         const float measured = region.surface(u, v), sigma = pixel_sigma(region, measured);
         workspace.seeds.push_back({u, v, measured, 5 * sigma});
       }
@@ -108,16 +112,11 @@ struct Selector {
     points.levels = std::min(pyramid.size(), PointSet::kMaxLevels);
     for (int l = 0; l < points.levels; ++l) {
       const Image<std::uint8_t>& image = pyramid.levels[static_cast<std::size_t>(l)];
-      const float scale = 1.f / static_cast<float>(1 << l);
       const auto k = static_cast<std::size_t>(l);
       for (auto* a : {&points.intensity[k], &points.gu[k], &points.gv[k]}) a->resize(points.u.size());
-      for (std::size_t i = 0; i < points.u.size(); ++i) {
-        const float u = std::clamp((points.u[i] + 0.5f) * scale - 0.5f, 1.f, static_cast<float>(image.width()) - 2.01f);
-        const float v =
-            std::clamp((points.v[i] + 0.5f) * scale - 0.5f, 1.f, static_cast<float>(image.height()) - 2.01f);
-        const Sample s = sample(image, u, v);
-        points.intensity[k][i] = s.value, points.gu[k][i] = s.gx, points.gv[k][i] = s.gy;
-      }
+      kernels.sample({image.row(0), image.width(), image.height(), image.width()}, 1.f / static_cast<float>(1 << l),
+                     points.u.data(), points.v.data(), points.size(),
+                     {points.intensity[k].data(), points.gu[k].data(), points.gv[k].data()});
     }
   }
 

@@ -26,36 +26,37 @@ namespace selecting {
 inline void admit(ImageView<const float> frame, const Box& box, ImageView<const std::uint8_t> mask, int area,
                   float level, float slack, SelectionWorkspace& work) {
   constexpr int kErosion = 2, kReach = 4;
+  const int width = box.width, height = box.height;
   // What is not the object, with a rim.
-  work.outside.resize(box.width + 2 * kErosion, box.height + 2 * kErosion);
+  work.outside.resize(width + 2 * kErosion, height + 2 * kErosion);
   work.outside.fill(255);
-  work.nearer.resize(box.width + 2 * kReach, box.height + 2 * kReach);
+  work.nearer.resize(width + 2 * kReach, height + 2 * kReach);
   work.nearer.fill(0);
-  for (int y = -kReach; y < box.height + kReach; ++y) {
+  for (int y = -kReach; y < height + kReach; ++y) {
     if (box.y + y < 0 || box.y + y >= frame.height) continue;
-    const int begin = std::max(-kReach, -box.x), end = std::min(box.width + kReach, frame.width - box.x);
+    const int begin = std::max(-kReach, -box.x), end = std::min(width + kReach, frame.width - box.x);
     const float* depth = frame.row(box.y + y) + box.x;
     float* out = work.nearer.row(y + kReach) + kReach;
     std::copy(depth + begin, depth + end, out + begin);
-    if (y < 0 || y >= box.height) continue;
+    if (y < 0 || y >= height) continue;
     const std::uint8_t* inside = mask.row(y);
     std::uint8_t* outside = work.outside.row(y + kErosion) + kErosion;
-    for (int x = 0; x < box.width; ++x) outside[x] = inside[x] ? 0 : 255;
-    for (int x = 0; x < box.width; ++x) out[x] = inside[x] ? 0 : out[x];
+    for (int x = 0; x < width; ++x) outside[x] = inside[x] ? 0 : 255;
+    for (int x = 0; x < width; ++x) out[x] = inside[x] ? 0 : out[x];
   }
   if (area > 2500)
     dilate<2>(std::as_const(work.outside).view(), work.outside_rows, work.outside.view());
   else
     dilate<1>(std::as_const(work.outside).view(), work.outside_rows, work.outside.view());
   dilate<kReach>(std::as_const(work.nearer).view(), work.nearer_rows, work.nearer.view());
-  work.mask.resize(box.width, box.height);
-  for (int y = 0; y < box.height; ++y) {
+  work.mask.resize(width, height);
+  for (int y = 0; y < height; ++y) {
     const float* depth = frame.row(box.y + y) + box.x;
     const float* surface = work.surface.row(y);
     const float* nearer = work.nearer.row(y + kReach) + kReach;
     const std::uint8_t* outside = work.outside.row(y + kErosion) + kErosion;
     std::uint8_t* may = work.mask.row(y);
-    for (int x = 0; x < box.width; ++x) {
+    for (int x = 0; x < width; ++x) {
       const float q = surface[x] > 0 ? surface[x] : depth[x] > 0 ? 0 : level;
       const bool admitted = (outside[x] == 0) & (q > 0) & (nearer[x] <= 1.15f * q + slack);
       may[x] = admitted ? 255 : 0;

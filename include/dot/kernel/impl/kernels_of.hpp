@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dot/kernel/impl/image_rows.hpp"
+#include "dot/kernel/impl/image_samples.hpp"
 #include "dot/kernel/impl/photometric_sums.hpp"
 #include "dot/kernel/impl/plane_fitter.hpp"
 #include "dot/kernel/impl/strongest_gradients.hpp"
@@ -35,6 +36,7 @@ constexpr Kernels kernels_of(const char* name) {
           residuals<V>,
           linearize<V, 8>,
           linearize<V, 6>,
+          sample<V>,
           fit_planes<V>,
           strongest_gradients<V>,
           invert_depth<V, unsigned short>,

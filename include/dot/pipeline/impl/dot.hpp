@@ -160,11 +160,12 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
   const Selector<Camera, Noise> select = selector(current_);
   // Background: what no object covers, with a margin for ragged outlines.
-  background_mask_.resize(ids_.width(), ids_.height());
-  for (int y = 0; y < ids_.height(); ++y) {
+  const int width = ids_.width(), height = ids_.height();
+  background_mask_.resize(width, height);
+  for (int y = 0; y < height; ++y) {
     const std::uint32_t* id = ids_.row(y);
     std::uint8_t* out = background_mask_.row(y);
-    for (int x = 0; x < ids_.width(); ++x) out[x] = id[x] ? 0 : 255;
+    for (int x = 0; x < width; ++x) out[x] = id[x] ? 0 : 255;
   }
   erode<4>(std::as_const(background_mask_).view(), mask_rows_, background_mask_.view());
   if constexpr (std::is_same_v<Noise, DepthNoise>)
@@ -195,8 +196,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::add_reference(const Selector<Camera, Noise>& select, TrackT& object) {
   while (!object.references.empty() &&
-         current_.timestamp - object.references.back().timestamp > options_.object.reference_seconds + 1e-6)
+         current_.timestamp - object.references.back().timestamp > options_.object.reference_seconds + 1e-6) {
+    spare_points_.push_back(std::move(object.references.back().points));
     object.references.pop_back();
+  }
   if (stands(object)) return;
   const Vector3<double> centre = anchor(object.mask, current_.inverse_depth());
   if (object.visible && centre.z() > 0) {
@@ -206,12 +209,13 @@ void Dot<Camera, Classifier, Noise, Aligner>::add_reference(const Selector<Camer
     object.size = std::max(object.size, size);
   }
   ObjectReference r;
+  if (!spare_points_.empty()) r.points = std::move(spare_points_.back()), spare_points_.pop_back();
   r.timestamp = current_.timestamp;
   const Reason reason = object.visible ? make_reference(select, object.mask, centre, r) : Reason::Hidden;
   if (reason == Reason::None)
     object.references.push_front(std::move(r));
   else
-    object.no_reference = reason;
+    object.no_reference = reason, spare_points_.push_back(std::move(r.points));
 }
 
 /// Fills in what a mask shows of an object. @return why that is not enough, None if it is.

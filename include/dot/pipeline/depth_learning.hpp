@@ -26,7 +26,7 @@ DOT_BEGIN_NAMESPACE
 struct DepthLearning {
   static constexpr int kWidth = 40, kHeight = 30, kStep = 4;  ///< pixels: patch and sampling
   static constexpr int kMinSamples = 40;                      ///< of the 80 of a patch
-  static constexpr int kMaxPatches = 200;                     ///< of a frame, about; of more, each second, third, ...
+  static constexpr std::size_t kPasses = 4, kEnough = 50;     ///< each fourth patch; more passes while fewer tell
   static constexpr double kMinMotion = 1.5;                   ///< pixels, median over the samples
 
   /// Sampled patches of a frame.
@@ -84,11 +84,8 @@ struct DepthLearning {
     p.x.clear(), p.y.clear(), p.q.clear(), p.begin.clear();
     p.timestamp = timestamp;
     p.T_cur_ref = {};
-    const int rows = inverse_depth.height() / kHeight, columns = inverse_depth.width() / kWidth;
-    const int each = rows * columns / kMaxPatches + 1;
-    for (int row = 0; row < rows; ++row)
-      for (int column = row % each; column < columns; column += each) {
-        const int x0 = column * kWidth, y0 = row * kHeight;
+    for (int y0 = 0; y0 + kHeight <= inverse_depth.height(); y0 += kHeight)
+      for (int x0 = 0; x0 + kWidth <= inverse_depth.width(); x0 += kWidth) {
         const std::size_t begin = p.q.size();
         for (int y = y0 + kStep / 2; y < y0 + kHeight; y += kStep)
           for (int x = x0 + kStep / 2; x < x0 + kWidth; x += kStep) {
@@ -96,9 +93,7 @@ struct DepthLearning {
             if (q <= 0 || !background(x, y)) continue;
             const Vector3<float> ray =
                 camera.template unproject<float>(Vector2<float>(static_cast<float>(x), static_cast<float>(y)));
-            p.x.push_back(ray.x());
-            p.y.push_back(ray.y());
-            p.q.push_back(q);
+            p.x.push_back(ray.x()), p.y.push_back(ray.y()), p.q.push_back(q);
           }
         if (p.q.size() - begin >= kMinSamples)
           p.begin.push_back(static_cast<int>(begin));
@@ -135,46 +130,55 @@ struct DepthLearning {
     medians_.clear();
     scatters_.clear();
     motion_.clear();
-    for (std::size_t k = 0; k + 1 < p.begin.size(); ++k) {
-      differences_.clear();
-      float q_min = 1e9f, q_max = 0;
-      Vector3<float> last_ray = Vector3<float>::Zero();
-      Vector2<float> last_position = Vector2<float>::Zero();
-      for (auto i = static_cast<std::size_t>(p.begin[k]); i < static_cast<std::size_t>(p.begin[k + 1]); ++i) {
-        const Vector3<float> ray(p.x[i], p.y[i], 1), X = R * ray + p.q[i] * t;
-        if (X.z() < 1e-3f) continue;
-        const Vector2<float> position = camera.template project<float>(X);
-        // The nearest pixel; half a pixel beyond the outermost still has one.
-        const float x = position.x() + 0.5f, y = position.y() + 0.5f;
-        if (!(x >= 0 && y >= 0 && x < static_cast<float>(inverse_depth.width()) &&
-              y < static_cast<float>(inverse_depth.height())))
-          continue;
-        const float measured = inverse_depth(static_cast<int>(x), static_cast<int>(y));
-        if (measured <= 0) continue;
-        const float predicted = p.q[i] / X.z();
-        differences_.push_back(measured - predicted);
-        last_ray = ray, last_position = position;
-        q_min = std::min(q_min, predicted);
-        q_max = std::max(q_max, predicted);
-      }
-      if (static_cast<int>(differences_.size()) < kMinSamples) continue;
-      const double q = 0.5 * static_cast<double>(q_min + q_max);
-      const double other_surface = 7 * noise.prior_pixel(q);
-      const double relief = std::max(other_surface, 0.3 * q);
-      if (static_cast<double>(q_max - q_min) > relief) continue;  // more than one surface
-      const float m = median(differences_.data(), differences_.size());
-      if (static_cast<double>(std::abs(m)) > other_surface) continue;  // something nearer hides it now
-      motion_.push_back((last_position - camera.template project<float>(last_ray)).norm());
-      medians_.push_back(static_cast<float>(std::abs(m) / noise.prior_common(q)));
-      if (!single) continue;
-      for (float& d : differences_) d = std::abs(d - m);
-      scatters_.push_back(
-          static_cast<float>(1.4826 * static_cast<double>(median(differences_.data(), differences_.size())) /
-                             std::sqrt(2.0) / noise.prior_pixel(q)));
-    }
+    for (std::size_t pass = 0; pass < kPasses && medians_.size() < kEnough; ++pass)
+      for (std::size_t k = pass; k + 1 < p.begin.size(); k += kPasses)
+        compare_patch(camera, p, k, R, t, inverse_depth, noise, single != nullptr);
     if (medians_.size() < 5 || static_cast<double>(median(motion_.data(), motion_.size())) < kMinMotion) return;
     shared.add(quantile(medians_.data(), medians_.size(), 0.85) / 1.44f);
     if (single) single->add(median(scatters_.data(), scatters_.size()));
+  }
+
+  /// What one patch says, if it is seen again and is one surface.
+  /// @param scatter whether that of single pixels is asked for.
+  template <typename Camera>
+  void compare_patch(const Camera& camera, const Patches& p, std::size_t k, const Matrix3<float>& R,
+                     const Vector3<float>& t, const Image<float>& inverse_depth, const DepthNoise& noise,
+                     bool scatter) {
+    differences_.clear();
+    float q_min = 1e9f, q_max = 0;
+    Vector3<float> last_ray = Vector3<float>::Zero();
+    Vector2<float> last_position = Vector2<float>::Zero();
+    for (auto i = static_cast<std::size_t>(p.begin[k]); i < static_cast<std::size_t>(p.begin[k + 1]); ++i) {
+      const Vector3<float> ray(p.x[i], p.y[i], 1), X = R * ray + p.q[i] * t;
+      if (X.z() < 1e-3f) continue;
+      const Vector2<float> position = camera.template project<float>(X);
+      // The nearest pixel; half a pixel beyond the outermost still has one.
+      const float x = position.x() + 0.5f, y = position.y() + 0.5f;
+      if (!(x >= 0 && y >= 0 && x < static_cast<float>(inverse_depth.width()) &&
+            y < static_cast<float>(inverse_depth.height())))
+        continue;
+      const float measured = inverse_depth(static_cast<int>(x), static_cast<int>(y));
+      if (measured <= 0) continue;
+      const float predicted = p.q[i] / X.z();
+      differences_.push_back(measured - predicted);
+      last_ray = ray, last_position = position;
+      q_min = std::min(q_min, predicted);
+      q_max = std::max(q_max, predicted);
+    }
+    if (static_cast<int>(differences_.size()) < kMinSamples) return;
+    const double q = 0.5 * static_cast<double>(q_min + q_max);
+    const double other_surface = 7 * noise.prior_pixel(q);
+    const double relief = std::max(other_surface, 0.3 * q);
+    if (static_cast<double>(q_max - q_min) > relief) return;  // more than one surface
+    const float m = median(differences_.data(), differences_.size());
+    if (static_cast<double>(std::abs(m)) > other_surface) return;  // something nearer hides it now
+    motion_.push_back((last_position - camera.template project<float>(last_ray)).norm());
+    medians_.push_back(static_cast<float>(std::abs(m) / noise.prior_common(q)));
+    if (!scatter) return;
+    for (float& d : differences_) d = std::abs(d - m);
+    scatters_.push_back(
+        static_cast<float>(1.4826 * static_cast<double>(median(differences_.data(), differences_.size())) /
+                           std::sqrt(2.0) / noise.prior_pixel(q)));
   }
 
   /// All but the newest `count` frames; their memory serves the next ones.

@@ -138,7 +138,7 @@ class Dot {
   void follow(TrackT& object);
   KnownVelocity known_velocity(const TrackT& object, const ObjectReference& r) const;
   std::vector<SE3d> starts(const TrackT& object, const ObjectReference& reference);
-  Vector3<double> anchor(const Mask& mask, const Image<float>& inverse_depth) const;
+  Vector3<double> anchor(const Mask& mask, const Image<float>& inverse_depth);
   void advance(TrackT& object);
   void match(const std::vector<TrackT*>& tracks);
   void match(const std::vector<TrackT*>& tracks, bool discovered);
@@ -197,7 +197,6 @@ class Dot {
   DepthLearning depth_learning_;
   Discovery<Camera, Noise> discovery_;
   std::deque<TrackT> tracks_;
-  std::vector<PointSet> spare_points_;  ///< of dropped references, whose memory serves the next ones
   std::vector<Observed> observed_;
   bool segmented_ = false;
   SegmentedFrame segmented_frame_;  ///< the last one

@@ -196,10 +196,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::add_reference(const Selector<Camera, Noise>& select, TrackT& object) {
   while (!object.references.empty() &&
-         current_.timestamp - object.references.back().timestamp > options_.object.reference_seconds + 1e-6) {
-    spare_points_.push_back(std::move(object.references.back().points));
+         current_.timestamp - object.references.back().timestamp > options_.object.reference_seconds + 1e-6)
     object.references.pop_back();
-  }
   if (stands(object)) return;
   const Vector3<double> centre = anchor(object.mask, current_.inverse_depth());
   if (object.visible && centre.z() > 0) {
@@ -209,13 +207,12 @@ void Dot<Camera, Classifier, Noise, Aligner>::add_reference(const Selector<Camer
     object.size = std::max(object.size, size);
   }
   ObjectReference r;
-  if (!spare_points_.empty()) r.points = std::move(spare_points_.back()), spare_points_.pop_back();
   r.timestamp = current_.timestamp;
   const Reason reason = object.visible ? make_reference(select, object.mask, centre, r) : Reason::Hidden;
   if (reason == Reason::None)
     object.references.push_front(std::move(r));
   else
-    object.no_reference = reason, spare_points_.push_back(std::move(r.points));
+    object.no_reference = reason;
 }
 
 /// Fills in what a mask shows of an object. @return why that is not enough, None if it is.

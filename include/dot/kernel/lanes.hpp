@@ -9,9 +9,9 @@
 #include "dot/abi.hpp"
 
 /// @file
-/// SIMD lanes in plain C++, for what is written over them (kernel/impl/kernels_of.hpp, points/plane_fit.hpp): one, and
-/// four by the vectors that GCC and Clang map to what the build's machine has (SSE2, NEON). They live in the namespace
-/// of the including build, with its flags.
+/// SIMD lanes in plain C++, for what is written over them (kernel/impl/kernels_of.hpp): one, and four by the vectors
+/// that GCC and Clang map to what the build's machine has (SSE2, NEON). They live in the namespace of the including
+/// build, with its flags.
 
 DOT_BEGIN_NAMESPACE
 

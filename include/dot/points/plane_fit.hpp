@@ -37,7 +37,10 @@ inline void cut_surface(ImageView<const float> inverse_depth, ImageView<const st
     const float* q = inverse_depth.row(y);
     const std::uint8_t* may = mask.row(y);
     float* out = surface.row(y);
-    for (int x = 0; x < mask.width; ++x) out[x] = (may[x] != 0) & (q[x] >= least) & (q[x] <= q_max) ? q[x] : 0;
+    for (int x = 0; x < mask.width; ++x) {
+      const float v = may[x] != 0 ? q[x] : 0;
+      out[x] = v >= least && v <= q_max ? v : 0;
+    }
   }
 }
 

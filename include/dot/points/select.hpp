@@ -131,8 +131,7 @@ struct Selector {
     const int step = (x1 - x0) * (y1 - y0) > 20000 ? 4 : 1;
     int area = 0;
     for (int y = y0; y < y1; y += step)
-      for (int x = x0; x < x1; x += step)
-        area += (mask(x, y) != 0) & ((region.shared != nullptr) | (region.surface(x, y) > 0));
+      for (int x = x0; x < x1; x += step) area += mask(x, y) != 0 && (region.shared || region.surface(x, y) > 0);
     area *= step * step;
     const int cell = static_cast<int>(std::lround(std::sqrt(area / std::max(1.0, 1.0 * region.budget))));
     return std::clamp(cell, 1, kernel::kMaxStripRows);

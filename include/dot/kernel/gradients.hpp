@@ -21,9 +21,14 @@ struct GradientStrip {
 
   /// Of a pixel in a row of the strip: the larger, the stronger its gradient, and among equals the higher up.
   /// @param gradient (2 |grad I|)^2, from central differences without their half.
-  constexpr int key(int gradient, int row) const { return gradient * rows + (rows - 1 - row); }
-  constexpr int gradient_of(int key) const { return key / rows; }
-  constexpr int row_of(int key) const { return rows - 1 - key % rows; }
+  constexpr int key(int gradient, int row) const { return (gradient << row_bits()) + (rows - 1 - row); }
+  constexpr int gradient_of(int key) const { return key >> row_bits(); }
+  constexpr int row_of(int key) const { return rows - 1 - (key & ((1 << row_bits()) - 1)); }
+  constexpr int row_bits() const {
+    int bits = 0;
+    while ((1 << bits) < rows) ++bits;
+    return bits;
+  }
 };
 constexpr int kMaxStripRows = 16384;  ///< a key must fit into an int
 

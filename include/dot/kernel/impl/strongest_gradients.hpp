@@ -22,10 +22,11 @@ void strongest_of(const GradientStrip& strip, int threshold, int* keys) {
     const float* q = nullptr;
     if constexpr (kMeasuredAlone)
       q = reinterpret_cast<const float*>(reinterpret_cast<const unsigned char*>(strip.q) + y * strip.q_stride);
-    const int rows = strip.rows, of_row = rows - 1 - y;
+    const int row_bits = strip.row_bits(), of_row = strip.key(0, y);
     for (int x = 0; x < width; ++x) {
-      const int gx = row[x + 1] - row[x - 1], gy = below[x] - above[x];
-      int key = (gx * gx + gy * gy) * rows + of_row;
+      // Products of 16 bits are the quicker ones.
+      const auto gx = static_cast<short>(row[x + 1] - row[x - 1]), gy = static_cast<short>(below[x] - above[x]);
+      int key = ((gx * gx + gy * gy) << row_bits) + of_row;
       key = mask[x] ? key : 0;
       if constexpr (kMeasuredAlone) key = q[x] > 0 ? key : 0;
       keys[x] = key > keys[x] ? key : keys[x];

@@ -26,7 +26,6 @@ DOT_BEGIN_NAMESPACE
 struct DepthLearning {
   static constexpr int kWidth = 40, kHeight = 30, kStep = 4;  ///< pixels: patch and sampling
   static constexpr int kMinSamples = 40;                      ///< of the 80 of a patch
-  static constexpr std::size_t kPasses = 4, kEnough = 50;     ///< each fourth patch; more passes while fewer tell
   static constexpr double kMinMotion = 1.5;                   ///< pixels, median over the samples
 
   /// Sampled patches of a frame.
@@ -130,9 +129,8 @@ struct DepthLearning {
     medians_.clear();
     scatters_.clear();
     motion_.clear();
-    for (std::size_t pass = 0; pass < kPasses && medians_.size() < kEnough; ++pass)
-      for (std::size_t k = pass; k + 1 < p.begin.size(); k += kPasses)
-        compare_patch(camera, p, k, R, t, inverse_depth, noise, single != nullptr);
+    for (std::size_t k = 0; k + 1 < p.begin.size(); ++k)
+      compare_patch(camera, p, k, R, t, inverse_depth, noise, single != nullptr);
     if (medians_.size() < 5 || static_cast<double>(median(motion_.data(), motion_.size())) < kMinMotion) return;
     shared.add(quantile(medians_.data(), medians_.size(), 0.85) / 1.44f);
     if (single) single->add(median(scatters_.data(), scatters_.size()));

@@ -23,8 +23,8 @@ struct Pyramid {
   int size() const { return static_cast<int>(levels.size()); }
 
   /// @param blur_sigma pixels of level 0.
-  void build(ImageView<const std::uint8_t> grey, int level_count,
-             const kernel::Kernels& kernels = portable_kernels(), double blur_sigma = 0.8) {
+  void build(ImageView<const std::uint8_t> grey, int level_count, const kernel::Kernels& kernels = portable_kernels(),
+             double blur_sigma = 0.8) {
     levels.resize(static_cast<std::size_t>(level_count));
     levels[0].resize(grey.width, grey.height);
     const kernel::BlurWeights weights = blur_weights(blur_sigma);

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "dot/image/depth_pyramid.hpp"
+#include "dot/kernel/dispatch.hpp"
 #include "room.hpp"
 #include "whole_alignment.hpp"
 
@@ -44,7 +45,7 @@ void BM_Pyramid(benchmark::State& state) {
   dot::Pyramid pyramid;
   const int levels = dot::pyramid_levels(pair.reference.grey.width(), pair.reference.grey.height(), 5);
   for (auto _ : state) {
-    pyramid.build(pair.reference.grey.view(), levels);
+    pyramid.build(pair.reference.grey.view(), levels, *dot::find_kernels());
     benchmark::ClobberMemory();
   }
   pixels(state, pair);
@@ -55,7 +56,8 @@ void BM_InverseDepth(benchmark::State& state) {
   dot::DepthPyramid depth;
   depth.levels.resize(1);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(dot::to_inverse_depth(pair.reference.depth_ref(), 400, depth.levels[0]));
+    dot::to_inverse_depth(pair.reference.depth_ref(), 400, depth.levels[0], *dot::find_kernels());
+    benchmark::DoNotOptimize(depth.levels[0].row(0));
     benchmark::ClobberMemory();
   }
   pixels(state, pair);
@@ -68,7 +70,7 @@ void BM_DepthPyramid(benchmark::State& state) {
   depth.levels.resize(1);
   dot::to_inverse_depth(pair.reference.depth_ref(), 400, depth.levels[0]);
   for (auto _ : state) {
-    depth.build(levels);
+    depth.build(levels, *dot::find_kernels());
     benchmark::ClobberMemory();
   }
   pixels(state, pair);

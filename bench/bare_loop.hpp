@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dot/align/kernel.hpp"
+#include "dot/kernel/photometric.hpp"
 
 namespace dot::bench {
 

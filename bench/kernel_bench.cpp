@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "bare_loop.hpp"
-#include "dot/align/dispatch.hpp"
 #include "dot/align/kernel_reduction.hpp"
+#include "dot/kernel/dispatch.hpp"
 
 namespace {
 

@@ -30,15 +30,20 @@ class WholeAlignment {
   }
   void build(const ImageRef& image, const ImageRef& depth) {
     to_grey(image, grey_);
-    pyramid_.build(grey_.view(), pyramid_levels(image.width, image.height, aligner.settings.max_levels));
-    to_inverse_depth(depth, selection.max_depth, inverse_depth_);
+    pyramid_.build(grey_.view(), pyramid_levels(image.width, image.height, aligner.settings.max_levels),
+                   *aligner.reduction.kernels);
+    to_inverse_depth(depth, selection.max_depth, inverse_depth_, *aligner.reduction.kernels);
   }
   void select() {
-    const Selector<Pinhole, DepthNoise> selector{camera_, noise_, pyramid_, inverse_depth_.view(), selection};
+    const Selector<Pinhole, DepthNoise> selector{
+        camera_, noise_, pyramid_, inverse_depth_.view(), selection, workspace_, *aligner.reduction.kernels};
     points_.clear();
-    selector(
-        {0, 0, camera_.width(), camera_.height()}, selection.background_points, selection.window_radius,
-        selection.min_gradient, [](int, int) { return true; }, {}, nullptr, 0, 0, points_);
+    SelectionRegion whole;
+    whole.box = {0, 0, camera_.width(), camera_.height()};
+    whole.surface = inverse_depth_.view();
+    whole.budget = selection.background_points, whole.radius = selection.window_radius;
+    whole.min_gradient = selection.min_gradient;
+    selector(whole, points_);
     selector.sample_intensities(points_);
   }
 
@@ -59,6 +64,7 @@ class WholeAlignment {
   Image<std::uint8_t> grey_;
   Pyramid pyramid_;
   Image<float> inverse_depth_;
+  SelectionWorkspace workspace_;
   PointSet points_, reference_;
 };
 

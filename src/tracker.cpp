@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <variant>
 
-#include "dot/align/dispatch.hpp"
 #include "dot/dot.hpp"
+#include "dot/kernel/dispatch.hpp"
 
 namespace dot {
 

@@ -19,8 +19,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "dot/align/dispatch.hpp"
 #include "dot/image/opencv.hpp"
+#include "dot/kernel/dispatch.hpp"
 #include "dot/tracker.hpp"
 #include "measure.hpp"
 #include "run/run_options.hpp"

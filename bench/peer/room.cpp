@@ -13,7 +13,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "dot/align/dispatch.hpp"
+#include "dot/kernel/dispatch.hpp"
 #include "dot/pipeline/options.hpp"
 #include "measure.hpp"
 #include "peer.hpp"

@@ -17,7 +17,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "dot/align/dispatch.hpp"
+#include "dot/kernel/dispatch.hpp"
 #include "dot/tracker.hpp"
 #include "measure.hpp"
 #include "run/run_options.hpp"

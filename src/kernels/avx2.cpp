@@ -5,7 +5,7 @@
 // could be the copy that the linker keeps for everybody.
 #include <immintrin.h>
 
-#include "dot/align/impl/kernel_body.hpp"
+#include "dot/kernel/impl/kernels_of.hpp"
 #include "variants.hpp"
 
 namespace dot::kernel {
@@ -19,6 +19,14 @@ struct Avx2 {
 
   static F set(float a) { return _mm256_set1_ps(a); }
   static F load(const float* p) { return _mm256_loadu_ps(p); }
+  static F load_words(const unsigned short* p) {
+    return _mm256_cvtepi32_ps(_mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(p))));
+  }
+  static void load_pairs(const float* p, F& even, F& odd) {
+    const F a = load(p), b = load(p + W), low = _mm256_permute2f128_ps(a, b, 0x20),
+            high = _mm256_permute2f128_ps(a, b, 0x31);
+    even = _mm256_shuffle_ps(low, high, 0x88), odd = _mm256_shuffle_ps(low, high, 0xdd);
+  }
   static void store(float* p, F a) { _mm256_storeu_ps(p, a); }
   static float sum(F a) {
     const __m128 four = _mm_add_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps(a, 1));

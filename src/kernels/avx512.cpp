@@ -4,7 +4,7 @@
 // Built with -mavx512f -mavx512dq -mfma; see avx2.cpp on what may be included.
 #include <immintrin.h>
 
-#include "dot/align/impl/kernel_body.hpp"
+#include "dot/kernel/impl/kernels_of.hpp"
 #include "variants.hpp"
 
 namespace dot::kernel {
@@ -18,6 +18,14 @@ struct Avx512 {
 
   static F set(float a) { return _mm512_set1_ps(a); }
   static F load(const float* p) { return _mm512_loadu_ps(p); }
+  static F load_words(const unsigned short* p) {
+    return _mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))));
+  }
+  static void load_pairs(const float* p, F& even, F& odd) {
+    const I at = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+    const F a = load(p), b = load(p + W);
+    even = _mm512_permutex2var_ps(a, at, b), odd = _mm512_permutex2var_ps(a, addi(at, seti(1)), b);
+  }
   static void store(float* p, F a) { _mm512_storeu_ps(p, a); }
   static float sum(F a) { return _mm512_reduce_add_ps(a); }
   static F add(F a, F b) { return _mm512_add_ps(a, b); }

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
-#include "dot/align/dispatch.hpp"
+#include "dot/kernel/dispatch.hpp"
 
 #include <cstdlib>
 #include <cstring>
 
-#include "dot/align/portable_kernels.hpp"
+#include "dot/kernel/portable_kernels.hpp"
 #include "variants.hpp"
 
 namespace dot {

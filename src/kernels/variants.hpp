@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dot/align/kernel.hpp"
+#include "dot/kernel/kernels.hpp"
 
 /// @file
 /// The variants that a build contains; each may be called only on a machine that has its instructions.

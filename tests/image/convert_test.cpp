@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -87,10 +88,15 @@ TEST(ToGreyOfColour, IgnoresAlpha) {
     for (int x = 0; x < Coloured::width; ++x) EXPECT_EQ(before(x, y), after(x, y));
 }
 
+int measured(const Image<float>& q) {
+  return static_cast<int>(std::count_if(q.row(0), q.row(q.height()), [](float v) { return v > 0; }));
+}
+
 TEST(ToInverseDepth, OfMetres) {
   const std::vector<float> metres{0.5f, 1, 2, 8, 79.9f, 3};
   Image<float> q;
-  EXPECT_EQ(dot::to_inverse_depth({metres.data(), 3, 2, 12, PixelFormat::DepthF32}, 80, q), 6);
+  dot::to_inverse_depth({metres.data(), 3, 2, 12, PixelFormat::DepthF32}, 80, q);
+  EXPECT_EQ(measured(q), 6);
   for (int i = 0; i < 6; ++i) EXPECT_FLOAT_EQ(q(i % 3, i / 3), 1 / metres[static_cast<std::size_t>(i)]);
 }
 
@@ -99,7 +105,8 @@ TEST(ToInverseDepth, WhatIsNoMeasurementIsZero) {
   const std::vector<float> metres{0, -0.f, -1, -infinity, infinity, nan, -nan, 80, 80.1f, 1e30f, 40};
   Image<float> q;
   const int width = static_cast<int>(metres.size());
-  EXPECT_EQ(dot::to_inverse_depth({metres.data(), width, 1, width * 4, PixelFormat::DepthF32}, 80, q), 1);
+  dot::to_inverse_depth({metres.data(), width, 1, width * 4, PixelFormat::DepthF32}, 80, q);
+  EXPECT_EQ(measured(q), 1);
   for (int x = 0; x + 1 < width; ++x) EXPECT_EQ(q(x, 0), 0) << metres[static_cast<std::size_t>(x)];
   EXPECT_FLOAT_EQ(q(width - 1, 0), 0.025f);
 }
@@ -108,13 +115,15 @@ TEST(ToInverseDepth, SixteenBitsHaveTheirUnit) {
   const std::vector<std::uint16_t> values{0, 500, 2560, 65535};
   Image<float> q;
   ImageRef depth{values.data(), 4, 1, 8, PixelFormat::DepthU16};
-  EXPECT_EQ(dot::to_inverse_depth(depth, 80, q), 3);  // 1000 a metre by default
+  dot::to_inverse_depth(depth, 80, q);
+  EXPECT_EQ(measured(q), 3);  // 1000 a metre by default
   EXPECT_EQ(q(0, 0), 0);
   EXPECT_FLOAT_EQ(q(1, 0), 2);
   EXPECT_FLOAT_EQ(q(2, 0), 1000.f / 2560);
   EXPECT_FLOAT_EQ(q(3, 0), 1000.f / 65535);
   depth.depth_units_per_metre = 256;
-  EXPECT_EQ(dot::to_inverse_depth(depth, 80, q), 2);
+  dot::to_inverse_depth(depth, 80, q);
+  EXPECT_EQ(measured(q), 2);
   EXPECT_FLOAT_EQ(q(1, 0), 256.f / 500);
   EXPECT_FLOAT_EQ(q(2, 0), 0.1f);
   EXPECT_EQ(q(3, 0), 0);  // 256 m, too far
@@ -123,11 +132,13 @@ TEST(ToInverseDepth, SixteenBitsHaveTheirUnit) {
 TEST(ToInverseDepth, ObeysTheStride) {
   const std::vector<float> metres{1, 2, -7, 4, 5, -7};
   Image<float> q;
-  EXPECT_EQ(dot::to_inverse_depth({metres.data(), 2, 2, 12, PixelFormat::DepthF32}, 80, q), 4);
+  dot::to_inverse_depth({metres.data(), 2, 2, 12, PixelFormat::DepthF32}, 80, q);
+  EXPECT_EQ(measured(q), 4);
   EXPECT_FLOAT_EQ(q(0, 1), 0.25f);
   EXPECT_FLOAT_EQ(q(1, 1), 0.2f);
   const std::vector<std::uint16_t> values{100, 200, 9, 9, 400, 500, 9, 9};
-  EXPECT_EQ(dot::to_inverse_depth({values.data(), 2, 2, 8, PixelFormat::DepthU16, 100}, 80, q), 4);
+  dot::to_inverse_depth({values.data(), 2, 2, 8, PixelFormat::DepthU16, 100}, 80, q);
+  EXPECT_EQ(measured(q), 4);
   EXPECT_FLOAT_EQ(q(0, 1), 0.25f);
   EXPECT_FLOAT_EQ(q(1, 1), 0.2f);
 }

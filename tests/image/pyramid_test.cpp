@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "dot/image/opencv.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -85,7 +87,8 @@ TEST(Pyramid, EachLevelIsTheMeanOfFourPixels) {
 TEST(Pyramid, BlurHasItsWidth) {
   for (const double sigma : {0.6, 0.8, 1.0}) {
     Pyramid pyramid;
-    pyramid.build(image_of(21, 21, [](int x, int y) { return x == 10 && y == 10 ? 250 : 0; }).view(), 1, sigma);
+    pyramid.build(image_of(21, 21, [](int x, int y) { return x == 10 && y == 10 ? 250 : 0; }).view(), 1,
+                  dot::portable_kernels(), sigma);
     double sum = 0, second = 0;
     for (int y = 0; y < 21; ++y)
       for (int x = 0; x < 21; ++x) {
@@ -96,6 +99,28 @@ TEST(Pyramid, BlurHasItsWidth) {
     EXPECT_NEAR(sum, 250, 12);
     EXPECT_NEAR(std::sqrt(second / sum), sigma, 0.1 * sigma);
   }
+}
+
+// OpenCV rounds its weights to 1/256 and its sums once, too.
+TEST(Pyramid, IsThatOfOpenCvToTheBit) {
+  for (const auto& [width, height] : {std::pair{99, 61}, {1, 1}, {2, 3}, {1100, 5}, {1026, 4}})
+    for (const double sigma : {0.5, 0.8, 1.0, 1.3, 2.0}) {
+      const Image<std::uint8_t> grey = random_image(width, height, 8);
+      const int levels = width > 50 && height > 50 ? 4 : 1;
+      Pyramid pyramid;
+      pyramid.build(grey.view(), levels, dot::portable_kernels(), sigma);
+      cv::Mat expected;
+      cv::GaussianBlur(dot::mat(grey.view()), expected, cv::Size(5, 5), sigma, sigma, cv::BORDER_REPLICATE);
+      for (const Image<std::uint8_t>& level : pyramid.levels) {
+        if (&level != &pyramid.levels[0]) {
+          const cv::Mat even = expected(cv::Rect(0, 0, 2 * level.width(), 2 * level.height()));
+          cv::Mat half;
+          cv::resize(even, half, cv::Size(level.width(), level.height()), 0, 0, cv::INTER_AREA);
+          expected = half;
+        }
+        EXPECT_EQ(cv::norm(dot::mat(level.view()), expected, cv::NORM_INF), 0) << sigma << ", " << level.width();
+      }
+    }
 }
 
 TEST(Pyramid, TakesStridedViewsAndBuildsAnew) {

@@ -78,8 +78,8 @@ struct Drive {
 
   void run(int frames) {
     Random random(7);
-    Image<std::uint8_t> blocked(camera.width(), camera.height());
-    blocked.fill(0);
+    Image<std::uint8_t> background(camera.width(), camera.height());
+    background.fill(255);
     // Of each patch of the wall, the mean of three innovations: after three frames nothing is left of an error.
     using Layer = std::array<std::vector<double>, kRows>;
     std::vector<Layer> innovation(static_cast<std::size_t>(frames + 2));
@@ -99,7 +99,7 @@ struct Drive {
       if (spoil) spoil(i, q);
       const double t = 0.1 * i;
       if (i > 0) learning.learn(camera, T_cur_prev, q, t, noise);
-      learning.remember(camera, q, blocked, t);
+      learning.remember(camera, q, background, t);
     }
   }
 };
@@ -139,17 +139,17 @@ TEST(DepthLearning, SlantedGroundCounts) {
     DepthNoise noise = noise_of(source);
     DepthLearning learning;
     Random random(3);
-    Image<std::uint8_t> blocked(camera.width(), camera.height());
+    Image<std::uint8_t> background(camera.width(), camera.height());
     // Ground alone: at 10 m it begins 80 pixels below the horizon.
-    for (int y = 0; y < blocked.height(); ++y)
-      for (int x = 0; x < blocked.width(); ++x) blocked(x, y) = y < 330 ? 255 : 0;
+    for (int y = 0; y < background.height(); ++y)
+      for (int x = 0; x < background.width(); ++x) background(x, y) = y < 330 ? 0 : 255;
     const Vector3<double> way(0.3, 0, 0.05);
     for (int i = 0; i < 20; ++i) {
       std::array<double, kRows * kColumns> drawn{};
       for (double& d : drawn) d = random.normal();
       const auto shared = [&](int r, int c) { return drawn[static_cast<std::size_t>(r * kColumns + c)]; };
       learning.clear();
-      learning.remember(camera, view(Vector3<double>::Zero(), true, errors, shared, noise, random), blocked, i);
+      learning.remember(camera, view(Vector3<double>::Zero(), true, errors, shared, noise, random), background, i);
       learning.learn(camera, SE3d::translation(-way), view(way, true, {0, errors.pixel}, {}, noise, random), i + 0.4,
                      noise);
     }
@@ -257,8 +257,8 @@ TEST(DepthLearning, LearnsNothingFromWhatIsBlockedOrNotMeasured) {
   Image<float> empty(camera.width(), camera.height());
   empty.fill(0);
   Image<std::uint8_t> free(camera.width(), camera.height()), blocked(camera.width(), camera.height());
-  free.fill(0);
-  blocked.fill(255);
+  free.fill(255);
+  blocked.fill(0);
   const SE3d T_cur_prev = SE3d::translation({-1, 0, 0});
   const auto learns = [&](const Image<float>& before, const Image<std::uint8_t>& mask, const Image<float>& now) {
     DepthLearning learning;

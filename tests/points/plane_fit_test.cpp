@@ -4,27 +4,36 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "dot/image/image.hpp"
+#include "dot/kernel/portable_kernels.hpp"
 #include "support/random.hpp"
 
 namespace {
 
-using dot::fit_plane;
 using dot::Image;
 using dot::PlaneFit;
 using dot::test::Random;
 
-const dot::DepthSupport everywhere;
+bool fit_plane(const Image<float>& q, int u, int v, int radius, float start, float gate, int min_inliers,
+               PlaneFit& fit) {
+  const dot::kernel::PlaneSeed seed{u, v, start, gate};
+  dot::portable_kernels().fit_planes(dot::kernel_view(q.view()), dot::plane_window(radius, min_inliers), &seed, 1,
+                                     &fit);
+  return fit.inliers > 0;
+}
 
-/// Where the depth of the plane image may be used, as a mask of its size.
+/// The depths of an image that may be used.
 template <typename May>
-dot::Image<std::uint8_t> where(May&& may) {
+Image<float> where(const Image<float>& q, May&& may) {
   dot::Image<std::uint8_t> mask(41, 31);
   for (int y = 0; y < 31; ++y)
     for (int x = 0; x < 41; ++x) mask(x, y) = may(x, y) ? 255 : 0;
-  return mask;
+  Image<float> surface;
+  dot::cut_surface(q.view(), mask.view(), 0, 1e9f, surface);
+  return surface;
 }
 
 /// q = 0.2 + 0.001 (u - 20) - 0.002 (v - 15): a steep plane, 5 m away.
@@ -40,11 +49,11 @@ Image<float> plane_image() {
 TEST(PlaneFit, IsExactOnAPlane) {
   const Image<float> q = plane_image();
   PlaneFit fit;
-  ASSERT_TRUE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.01f, 30, everywhere, fit));
+  ASSERT_TRUE(fit_plane(q, 20, 15, 5, 0.2f, 0.01f, 30, fit));
   EXPECT_NEAR(fit.q, 0.2, 1e-6);
   EXPECT_NEAR(fit.du, 0.001, 1e-7);
   EXPECT_NEAR(fit.dv, -0.002, 1e-7);
-  EXPECT_LT(fit.rms, 1e-6);
+  EXPECT_LT(fit.variance, 1e-12);
   EXPECT_EQ(fit.inliers, 121);
 }
 
@@ -52,7 +61,7 @@ TEST(PlaneFit, FindsASteepPlaneFromItsCentre) {
   // The corners are 0.015 off the centre: one and a half gates, within the first pass's three.
   const Image<float> q = plane_image();
   PlaneFit fit;
-  ASSERT_TRUE(fit_plane(q.view(), 20, 15, 5, 0.204f, 0.01f, 30, everywhere, fit));
+  ASSERT_TRUE(fit_plane(q, 20, 15, 5, 0.204f, 0.01f, 30, fit));
   EXPECT_NEAR(fit.q, 0.2, 1e-6);
   EXPECT_EQ(fit.inliers, 121);
 }
@@ -60,7 +69,7 @@ TEST(PlaneFit, FindsASteepPlaneFromItsCentre) {
 TEST(PlaneFit, IsCutOffAtTheImageBorder) {
   const Image<float> q = plane_image();
   PlaneFit fit;
-  ASSERT_TRUE(fit_plane(q.view(), 0, 30, 4, plane(0, 30), 0.01f, 20, everywhere, fit));
+  ASSERT_TRUE(fit_plane(q, 0, 30, 4, plane(0, 30), 0.01f, 20, fit));
   EXPECT_EQ(fit.inliers, 25);
   EXPECT_NEAR(fit.q, plane(0, 30), 1e-6);
   EXPECT_NEAR(fit.du, 0.001, 1e-7);
@@ -79,13 +88,13 @@ TEST(PlaneFit, WithstandsThirtyPercentOutliers) {
           q(x, y) = random.uniform() < 0.3 ? 0.f : static_cast<float>(1 / random.uniform(0.15, 200));
       }
     PlaneFit fit;
-    ASSERT_TRUE(fit_plane(q.view(), 20, 15, 5, 0.2f, gate, 40, everywhere, fit));
+    ASSERT_TRUE(fit_plane(q, 20, 15, 5, 0.2f, gate, 40, fit));
     // 4 sigma of a mean of the 85 that are left, and as much again for the outliers that happen to lie in the gate.
     EXPECT_NEAR(fit.q, 0.2, 8 * sigma / std::sqrt(85.f));
     EXPECT_NEAR(fit.du, 0.001, 8 * sigma / std::sqrt(85.f) / 3.2f);  // 3.2 px: spread of the columns
     EXPECT_NEAR(fit.dv, -0.002, 8 * sigma / std::sqrt(85.f) / 3.2f);
     EXPECT_GT(fit.inliers, 60);
-    EXPECT_LT(fit.rms, 1.8f * sigma);
+    EXPECT_LT(fit.variance, 3.2f * sigma * sigma);
   }
 }
 
@@ -95,10 +104,10 @@ TEST(PlaneFit, StaysOnTheSurfaceItStartsFrom) {
   for (int y = 0; y < 31; ++y)
     for (int x = 22; x < 41; ++x) q(x, y) = 0.5f;
   PlaneFit fit;
-  ASSERT_TRUE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.01f, 30, everywhere, fit));
+  ASSERT_TRUE(fit_plane(q, 20, 15, 5, 0.2f, 0.01f, 30, fit));
   EXPECT_EQ(fit.inliers, 77);
   EXPECT_NEAR(fit.q, 0.2, 1e-6);
-  ASSERT_TRUE(fit_plane(q.view(), 20, 15, 5, 0.5f, 0.01f, 30, everywhere, fit));
+  ASSERT_TRUE(fit_plane(q, 20, 15, 5, 0.5f, 0.01f, 30, fit));
   EXPECT_EQ(fit.inliers, 44);
   EXPECT_NEAR(fit.q, 0.5, 1e-5);
   EXPECT_NEAR(fit.du, 0, 1e-6);
@@ -109,58 +118,65 @@ TEST(PlaneFit, UsesOnlyWhatIsAccepted) {
   for (int y = 0; y < 31; ++y)
     for (int x = 0; x < 41; x += 2) q(x, y) += 0.005f;  // inside the gate
   PlaneFit fit;
-  const auto odd = where([](int x, int) { return x % 2 == 1; });
-  ASSERT_TRUE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.02f, 30, {odd.view()}, fit));
+  const Image<float> odd = where(q, [](int x, int) { return x % 2 == 1; });
+  ASSERT_TRUE(fit_plane(odd, 20, 15, 5, 0.2f, 0.02f, 30, fit));
   EXPECT_EQ(fit.inliers, 66);
   EXPECT_NEAR(fit.q, 0.2, 1e-6);
-  EXPECT_LT(fit.rms, 1e-6);
+  EXPECT_LT(fit.variance, 1e-12);
 }
 
-// A crop of a mask that reaches over the image's border, in a window wider than the image.
-TEST(PlaneFit, AMaskMayLieAnywhere) {
+// Of windows over 14 pixels not all rows are read; those that are count for the others.
+TEST(PlaneFit, WindowsMayBeWiderThanTheImage) {
   const Image<float> q = plane_image();
-  dot::Image<std::uint8_t> crop(30, 20);
-  crop.fill(255);
-  PlaneFit fit;
-  ASSERT_TRUE(fit_plane(q.view(), 20, 15, 100, 0.2f, 0.1f, 30, {crop.view(), 25, -6}, fit));
-  EXPECT_EQ(fit.inliers, 16 * 14);
-  EXPECT_NEAR(fit.q, 0.2, 1e-6);
-  EXPECT_NEAR(fit.du, 0.001, 1e-7);
-  EXPECT_NEAR(fit.dv, -0.002, 1e-7);
-  EXPECT_FALSE(fit_plane(q.view(), 20, 15, 100, 0.2f, 0.1f, 1, {crop.view(), 60, 0}, fit));
+  for (const int radius : {8, 15, 16, 100}) {
+    PlaneFit fit;
+    ASSERT_TRUE(fit_plane(q, 22, 16, radius, 0.2f, 0.1f, 30, fit)) << radius;
+    EXPECT_EQ(fit.inliers, std::min(2 * radius + 1, 22 + std::min(radius, 18) + 1 - std::max(22 - radius, 0)) *
+                               (std::min(16 + radius, 30) + 1 - std::max(16 - radius, 0)));
+    EXPECT_NEAR(fit.q, plane(22, 16), 1e-6);
+    EXPECT_NEAR(fit.du, 0.001, 1e-7);
+    EXPECT_NEAR(fit.dv, -0.002, 1e-7);
+  }
 }
 
-TEST(PlaneFit, UsesOnlyDepthsWithinTheRange) {
+TEST(PlaneFit, ASurfaceIsOfItsMaskAndRange) {
   Image<float> q = plane_image();
-  for (int x = 0; x < 41; ++x) q(x, 15) = 0.201f;
-  PlaneFit fit;
-  dot::DepthSupport support;
-  support.q_min = 0.1985f;
-  support.q_max = 0.2015f;
-  ASSERT_TRUE(fit_plane(q.view(), 20, 15, 1, 0.2f, 0.1f, 3, support, fit));
-  EXPECT_EQ(fit.inliers, 5);
+  q(3, 3) = 0, q(4, 4) = -0.2f, q(5, 5) = std::numeric_limits<float>::infinity();
+  q(6, 6) = std::numeric_limits<float>::quiet_NaN();
+  dot::Image<std::uint8_t> mask(41, 31);
+  for (int y = 0; y < 31; ++y)
+    for (int x = 0; x < 41; ++x) mask(x, y) = x < 30 ? 1 : 0;
+  Image<float> surface;
+  for (const float q_min : {-1.f, 0.19f}) {
+    dot::cut_surface(q.view(), mask.view(), q_min, 0.21f, surface);
+    for (int y = 0; y < 31; ++y)
+      for (int x = 0; x < 41; ++x) {
+        const bool of_it = x < 30 && q(x, y) > 0 && q(x, y) >= q_min && q(x, y) <= 0.21f;
+        EXPECT_EQ(surface(x, y), of_it ? q(x, y) : 0) << x << ", " << y;
+      }
+  }
 }
 
 TEST(PlaneFit, RejectsTooFew) {
   Image<float> q = plane_image();
   PlaneFit fit;
-  EXPECT_TRUE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.01f, 121, everywhere, fit));
+  EXPECT_TRUE(fit_plane(q, 20, 15, 5, 0.2f, 0.01f, 121, fit));
   q(17, 12) = 0;
-  EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.01f, 121, everywhere, fit));
-  EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.9f, 0.01f, 30, everywhere, fit));  // nothing at that depth
-  const auto corner = where([](int x, int y) { return x < 20 && y < 12; });
-  EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.01f, 30, {corner.view()}, fit));
+  EXPECT_FALSE(fit_plane(q, 20, 15, 5, 0.2f, 0.01f, 121, fit));
+  EXPECT_FALSE(fit_plane(q, 20, 15, 5, 0.9f, 0.01f, 30, fit));  // nothing at that depth
+  const Image<float> corner = where(q, [](int x, int y) { return x < 20 && y < 12; });
+  EXPECT_FALSE(fit_plane(corner, 20, 15, 5, 0.2f, 0.01f, 30, fit));
   q.fill(0);
-  EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.01f, 30, everywhere, fit));
+  EXPECT_FALSE(fit_plane(q, 20, 15, 5, 0.2f, 0.01f, 30, fit));
 }
 
 TEST(PlaneFit, RejectsALine) {
   const Image<float> q = plane_image();
   PlaneFit fit;
-  const auto upright = where([](int x, int) { return x == 20; });
-  const auto diagonal = where([](int x, int y) { return x - 20 == y - 15; });
-  EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.02f, 5, {upright.view()}, fit));
-  EXPECT_FALSE(fit_plane(q.view(), 20, 15, 5, 0.2f, 0.02f, 5, {diagonal.view()}, fit));
+  const Image<float> upright = where(q, [](int x, int) { return x == 20; });
+  const Image<float> diagonal = where(q, [](int x, int y) { return x - 20 == y - 15; });
+  EXPECT_FALSE(fit_plane(upright, 20, 15, 5, 0.2f, 0.02f, 5, fit));
+  EXPECT_FALSE(fit_plane(diagonal, 20, 15, 5, 0.2f, 0.02f, 5, fit));
 }
 
 }  // namespace

@@ -80,7 +80,8 @@ struct Selected {
     const dot::DepthNoise noise = noise_of(sigma_px);
     dot::SelectionSettings settings;
     settings.object_points = budget;
-    const dot::Selector<Pinhole, dot::DepthNoise> selector{camera, noise, pyramid, q.view(), settings};
+    dot::SelectionWorkspace workspace;
+    const dot::Selector<Pinhole, dot::DepthNoise> selector{camera, noise, pyramid, q.view(), settings, workspace};
     const Crop crop(seen.ids, car);
     summary = select_object(selector, crop.box, crop.mask.view(), crop.area, points);
   }

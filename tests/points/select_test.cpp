@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -22,7 +23,6 @@ using dot::SE3d;
 using dot::Selector;
 using namespace dot::test;
 
-const auto everywhere = [](int, int) { return true; };
 constexpr Box whole{0, 0, 320, 240};
 
 dot::DepthNoise stereo_noise() {
@@ -49,12 +49,32 @@ struct Fixture {
     pyramid.build(view.grey.view(), 3);
     q = view.inverse_depth();
   }
-  Selector<Pinhole, dot::DepthNoise> selector() const { return {camera, noise, pyramid, q.view(), settings}; }
-
+  mutable dot::SelectionWorkspace workspace;
+  Selector<Pinhole, dot::DepthNoise> selector() const {
+    return {camera, noise, pyramid, q.view(), settings, workspace};
+  }
+  dot::SelectionRegion region(const Box& box, int budget) const {
+    dot::SelectionRegion r;
+    r.box = box;
+    r.surface = {q.row(box.y) + box.x, box.width, box.height, q.view().stride};
+    r.budget = budget, r.radius = settings.window_radius, r.min_gradient = settings.min_gradient;
+    return r;
+  }
+  PointSet select(const Box& box, int budget) const {
+    PointSet points;
+    selector()(region(box, budget), points);
+    return points;
+  }
+  /// @param accept (x, y) -> bool, pixels of the image.
   template <typename Accept>
   PointSet select(const Box& box, int budget, Accept&& accept) const {
+    Image<std::uint8_t> mask(box.width, box.height);
+    for (int y = 0; y < box.height; ++y)
+      for (int x = 0; x < box.width; ++x) mask(x, y) = accept(box.x + x, box.y + y) ? 255 : 0;
+    dot::SelectionRegion r = region(box, budget);
+    r.mask = mask.view();
     PointSet points;
-    selector()(box, budget, settings.window_radius, settings.min_gradient, accept, {}, nullptr, 0, 0, points);
+    selector()(r, points);
     return points;
   }
 };
@@ -65,7 +85,7 @@ int row(const PointSet& p, std::size_t i) { return static_cast<int>(p.v[i]); }
 TEST(Selector, SpendsAboutItsBudget) {
   const Fixture f;
   for (const int budget : {100, 500, 3000}) {
-    const int found = f.select(whole, budget, everywhere).size();
+    const int found = f.select(whole, budget).size();
     EXPECT_GT(found, budget / 2) << budget;    // nearly every cell of this scene has gradient and depth
     EXPECT_LT(found, 1.4 * budget) << budget;  // cells of whole pixels
   }
@@ -73,7 +93,7 @@ TEST(Selector, SpendsAboutItsBudget) {
 
 TEST(Selector, TakesAPixelOnce) {
   const Fixture f;
-  const PointSet points = f.select(whole, 3000, everywhere);
+  const PointSet points = f.select(whole, 3000);
   std::set<std::pair<int, int>> pixels;
   for (std::size_t i = 0; i < points.u.size(); ++i) pixels.insert({column(points, i), row(points, i)});
   EXPECT_EQ(pixels.size(), points.u.size());
@@ -91,7 +111,7 @@ TEST(Selector, StaysInTheBoxAndWhereItMay) {
     EXPECT_TRUE(x >= 50 && y >= 60 && x < 170 && y < 150) << x << ", " << y;
   }
   EXPECT_EQ(f.select(whole, 400, [](int, int) { return false; }).size(), 0);
-  EXPECT_EQ(f.select({400, 10, 30, 30}, 400, everywhere).size(), 0);  // outside the image
+  EXPECT_EQ(f.select({318, 10, 2, 30}, 400).size(), 0);  // at the border alone
 }
 
 TEST(Selector, TakesNothingWithoutGradient) {
@@ -101,7 +121,7 @@ TEST(Selector, TakesNothingWithoutGradient) {
   f.view.round();
   f.use_view();
   f.settings.min_gradient = 3;
-  const PointSet points = f.select(whole, 1500, everywhere);
+  const PointSet points = f.select(whole, 1500);
   EXPECT_GT(points.size(), 400);
   for (std::size_t i = 0; i < points.u.size(); ++i) {
     const int x = column(points, i), y = row(points, i);
@@ -117,14 +137,14 @@ TEST(Selector, TakesNothingWithoutDepth) {
   Fixture f(degradation);
   for (int y = 0; y < 240; ++y)
     for (int x = 0; x < 160; ++x) f.q(x, y) = 0;
-  const PointSet points = f.select(whole, 1500, everywhere);
+  const PointSet points = f.select(whole, 1500);
   EXPECT_GT(points.size(), 400);
   for (std::size_t i = 0; i < points.u.size(); ++i) EXPECT_GT(f.q(column(points, i), row(points, i)), 0);
 }
 
 TEST(Selector, PointsLieOnTheirRaysAtTheTrueDepth) {
   const Fixture f;
-  const PointSet points = f.select(whole, 1000, everywhere);
+  const PointSet points = f.select(whole, 1000);
   int exact = 0;
   for (std::size_t i = 0; i < points.u.size(); ++i) {
     const auto ray = f.camera.unproject(dot::Vector2<float>(points.u[i], points.v[i]));
@@ -142,7 +162,7 @@ TEST(Selector, DepthIsBetterThanThePixels) {
   degradation.depth_noise = noise.pixel(0.2);
   degradation.seed = 5;
   const Fixture clean, noisy(degradation);
-  const PointSet points = noisy.select(whole, 1500, everywhere);
+  const PointSet points = noisy.select(whole, 1500);
   EXPECT_GT(points.size(), 700);
   double squared = 0, normalised = 0;
   for (std::size_t i = 0; i < points.u.size(); ++i) {
@@ -159,7 +179,7 @@ TEST(Selector, LeavesOutPixelsWhoseSurroundingsContradictThem) {
   Fixture f;
   for (int y = 80; y < 160; y += 7)
     for (int x = 100; x < 220; x += 7) f.q(x, y) = 0.9f;  // single wrong matches
-  const PointSet points = f.select({100, 80, 120, 80}, 3000, everywhere);
+  const PointSet points = f.select({100, 80, 120, 80}, 3000);
   EXPECT_GT(points.size(), 500);
   for (const float q : points.q) EXPECT_LT(q, 0.4f);
 }
@@ -169,9 +189,12 @@ TEST(Selector, GivesAllASharedPlane) {
   f.q.fill(0.02f);
   f.q(160, 120) = 0.5f;  // not of that plane
   dot::PlaneFit plane;
-  plane.q = 0.021f, plane.du = 1e-6f, plane.dv = 2e-6f, plane.inliers = 300, plane.rms = 1e-4f;
+  plane.q = 0.021f, plane.du = 1e-6f, plane.dv = 2e-6f, plane.inliers = 300, plane.variance = 1e-8f;
   PointSet points;
-  f.selector()({120, 90, 80, 60}, 5000, 3, 3, everywhere, {}, &plane, 160, 120, points);
+  dot::SelectionRegion region = f.region({120, 90, 80, 60}, 5000);
+  region.min_gradient = 3;
+  region.shared = &plane;
+  f.selector()(region, points);
   EXPECT_GT(points.size(), 500);
   for (std::size_t i = 0; i < points.u.size(); ++i) {
     EXPECT_FLOAT_EQ(points.q[i], 0.021f + 1e-6f * (points.u[i] - 160) + 2e-6f * (points.v[i] - 120));
@@ -179,9 +202,39 @@ TEST(Selector, GivesAllASharedPlane) {
   }
 }
 
+// In the order of the cells; of equal gradients the first in the order of rows.
+TEST(Selector, TakesTheStrongestOfEachCell) {
+  Fixture f;
+  for (int y = 0; y < 240; ++y)
+    for (int x = 0; x < 320; x += 2) f.pyramid.levels[0](x, y) = f.pyramid.levels[0](x + 1, y);  // many are equal
+  const auto accept = [](int x, int y) { return (x + y) % 7 != 0; };
+  const auto& grey = f.pyramid.levels[0];
+  const auto strength = [&](int x, int y) {
+    const int gx = grey(x + 1, y) - grey(x - 1, y), gy = grey(x, y + 1) - grey(x, y - 1);
+    return gx * gx + gy * gy;
+  };
+  f.settings.window_radius = 6;  // where every pixel of the scene has a plane, but at its edges
+  const PointSet points = f.select(whole, 1200, accept);
+  const int cell = 7;  // sqrt(320 * 240 * 6 / 7 / 1200), of the area without its border
+  std::size_t i = 0;
+  int found = 0, cells = 0;
+  for (int cy = 4; cy < 236; cy += cell)
+    for (int cx = 4; cx < 316; cx += cell) {
+      int best = static_cast<int>(4 * f.settings.min_gradient * f.settings.min_gradient), bx = -1, by = -1;
+      for (int y = cy; y < std::min(cy + cell, 236); ++y)
+        for (int x = cx; x < std::min(cx + cell, 316); ++x)
+          if (accept(x, y) && f.q(x, y) > 0 && strength(x, y) > best) best = strength(x, y), bx = x, by = y;
+      if (bx < 0) continue;
+      ++cells;
+      if (i < points.u.size() && column(points, i) == bx && row(points, i) == by) ++i, ++found;
+    }
+  EXPECT_EQ(found, points.size());  // no point is anything else
+  EXPECT_GT(found, 0.8 * cells);    // the others have no plane
+}
+
 TEST(Selector, SamplesTheIntensitiesOfEachLevel) {
   const Fixture f;
-  PointSet points = f.select(whole, 800, everywhere);
+  PointSet points = f.select(whole, 800);
   f.selector().sample_intensities(points);
   ASSERT_EQ(points.levels, 3);
   for (std::size_t l = 0; l < 3; ++l) {
@@ -192,7 +245,10 @@ TEST(Selector, SamplesTheIntensitiesOfEachLevel) {
       const float u = (points.u[i] + 0.5f) * scale - 0.5f, v = (points.v[i] + 0.5f) * scale - 0.5f;
       if (u < 1 || v < 1 || u > static_cast<float>(level.width() - 3) || v > static_cast<float>(level.height() - 3))
         continue;
-      EXPECT_FLOAT_EQ(points.intensity[l][i], sample(level, u, v).value);
+      const dot::Sample s = sample(level, u, v);
+      EXPECT_NEAR(points.intensity[l][i], s.value, 1e-3);  // float rounding
+      EXPECT_NEAR(points.gu[l][i], s.gx, 1e-3);
+      EXPECT_NEAR(points.gv[l][i], s.gy, 1e-3);
     }
   }
 }
@@ -201,7 +257,7 @@ TEST(Selector, AppendsToWhatThereIs) {
   const Fixture f;
   PointSet points;
   points.push(1, 2, 3, 4, 5, 6);
-  f.selector()(whole, 200, 5, 3, everywhere, {}, nullptr, 0, 0, points);
+  f.selector()(f.region(whole, 200), points);
   EXPECT_GT(points.size(), 100);
   EXPECT_EQ(points.u[0], 1);
   EXPECT_EQ(points.sigma_q[0], 6);

@@ -6,17 +6,17 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "dot/align/portable_kernels.hpp"
 #include "dot/align/reduction.hpp"
 #include "dot/camera/pinhole.hpp"
+#include "dot/kernel/portable_kernels.hpp"
 #if defined(DOT_COMPILED_KERNELS)
-#include "dot/align/dispatch.hpp"
+#include "dot/kernel/dispatch.hpp"
 #endif
 
 DOT_BEGIN_NAMESPACE
 
-/// The reduction over the kernels of align/kernel.hpp where the camera is a pinhole; any other camera goes the way of
-/// SerialReduction. The two agree to float rounding.
+/// The reduction over the kernels of kernel/photometric.hpp where the camera is a pinhole; any other camera goes the
+/// way of SerialReduction. The two agree to float rounding.
 struct KernelReduction {
   const kernel::Kernels* kernels = &portable_kernels();  ///< never null
 

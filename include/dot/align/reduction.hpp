@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "dot/abi.hpp"
-#include "dot/align/kernel.hpp"
 #include "dot/image/pyramid.hpp"
+#include "dot/kernel/photometric.hpp"
 #include "dot/lie/se3.hpp"
 #include "dot/points/point_set.hpp"
 

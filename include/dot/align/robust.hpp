@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "dot/abi.hpp"
-#include "dot/lanes.hpp"
+#include "dot/kernel/lanes.hpp"
 
 DOT_BEGIN_NAMESPACE
 

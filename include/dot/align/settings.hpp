@@ -2,17 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dot/kernel/settings.hpp"
+
 namespace dot {
-
-/// Which kernels do the photometric reduction, see align/dispatch.hpp.
-enum class KernelVariant { Auto, Portable, Avx2, Avx512 };
-
-/// Whose gradients the derivatives of the residual take.
-enum class GradientSource {
-  Image,      ///< the new image's at the moved point: forward, the paper's
-  Reference,  ///< the reference's, sampled once: the idea of inverse composition (Baker and Matthews 2004)
-  Mean        ///< of both: efficient second-order minimisation (Malis 2004)
-};
 
 /// The photometric Gauss-Newton aligner.
 struct AlignSettings {

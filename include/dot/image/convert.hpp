@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
-#include <limits>
+#include <cstdint>
 
 #include "dot/abi.hpp"
 #include "dot/image/image.hpp"
 #include "dot/image/opencv.hpp"
+#include "dot/kernel/portable_kernels.hpp"
 
 #include <opencv2/imgproc.hpp>
 
@@ -30,33 +30,20 @@ inline void to_grey(const ImageRef& image, Image<std::uint8_t>& grey) {
 }
 
 /// Inverse depth in 1/m; 0 where there is no measurement: zero, negative, NaN, infinite or beyond `max_depth` metres.
-/// @return the number of measurements.
-inline int to_inverse_depth(const ImageRef& depth, double max_depth, Image<float>& inverse_depth) {
+inline void to_inverse_depth(const ImageRef& depth, double max_depth, Image<float>& inverse_depth,
+                             const kernel::Kernels& kernels = portable_kernels()) {
   inverse_depth.resize(depth.width, depth.height);
-  int valid = 0;
-  const auto convert = [&](auto view, double units_per_metre) {
-    const float unit = static_cast<float>(units_per_metre);
-    const float near = static_cast<float>(1e-3 * units_per_metre),
-                far = static_cast<float>(max_depth * units_per_metre);
-    for (int y = 0; y < depth.height; ++y) {
-      const auto* in = view.row(y);
-      float* out = inverse_depth.row(y);
-      // Divided before it is known whether the value counts: loops without branches become SIMD code.
-      for (int x = 0; x < depth.width; ++x) {
-        const float value = static_cast<float>(in[x]), inverse = unit / value;
-        const bool ok = (value > near) & (value < far);  // false for NaN and infinity
-        out[x] = ok ? inverse : 0;
-        valid += ok;
-      }
-    }
-  };
-  if (depth.format == PixelFormat::DepthU16)
-    convert(ImageView<const std::uint16_t>{static_cast<const std::uint16_t*>(depth.data), depth.width, depth.height,
-                                           depth.stride},
-            depth.depth_units_per_metre);
-  else
-    convert(ImageView<const float>{static_cast<const float*>(depth.data), depth.width, depth.height, depth.stride}, 1);
-  return valid;
+  const bool words = depth.format == PixelFormat::DepthU16;
+  const double units_per_metre = words ? depth.depth_units_per_metre : 1;
+  const kernel::DepthUnits units{static_cast<float>(units_per_metre), static_cast<float>(1e-3 * units_per_metre),
+                                 static_cast<float>(max_depth * units_per_metre)};
+  for (int y = 0; y < depth.height; ++y) {
+    const void* row = static_cast<const unsigned char*>(depth.data) + y * depth.stride;
+    if (words)
+      kernels.invert_words(static_cast<const std::uint16_t*>(row), depth.width, units, inverse_depth.row(y));
+    else
+      kernels.invert_floats(static_cast<const float*>(row), depth.width, units, inverse_depth.row(y));
+  }
 }
 
 DOT_END_NAMESPACE

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "dot/abi.hpp"
 #include "dot/image/image.hpp"
-#include "dot/image/opencv.hpp"
-
-#include <opencv2/imgproc.hpp>
+#include "dot/kernel/portable_kernels.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -24,17 +23,33 @@ struct Pyramid {
   int size() const { return static_cast<int>(levels.size()); }
 
   /// @param blur_sigma pixels of level 0.
-  void build(ImageView<const std::uint8_t> grey, int level_count, double blur_sigma = 0.8) {
+  void build(ImageView<const std::uint8_t> grey, int level_count, const kernel::Kernels& kernels = portable_kernels(),
+             double blur_sigma = 0.8) {
     levels.resize(static_cast<std::size_t>(level_count));
     levels[0].resize(grey.width, grey.height);
-    cv::GaussianBlur(mat(grey), mat(levels[0].view()), cv::Size(5, 5), blur_sigma, blur_sigma, cv::BORDER_REPLICATE);
-    for (std::size_t l = 1; l < levels.size(); ++l) {
-      Image<std::uint8_t>& below = levels[l - 1];
-      levels[l].resize(below.width() / 2, below.height() / 2);
-      const cv::Mat even = mat(below.view())(cv::Rect(0, 0, levels[l].width() * 2, levels[l].height() * 2));
-      cv::Mat out = mat(levels[l].view());
-      cv::resize(even, out, out.size(), 0, 0, cv::INTER_AREA);
+    const kernel::BlurWeights weights = blur_weights(blur_sigma);
+    for (int y = 0; y < grey.height; ++y) {
+      const std::uint8_t* rows[5];
+      for (int i = 0; i < 5; ++i) rows[i] = grey.row(std::clamp(y + i - 2, 0, grey.height - 1));
+      kernels.blur(rows, grey.width, weights, levels[0].row(y));
     }
+    for (std::size_t l = 1; l < levels.size(); ++l) {
+      const Image<std::uint8_t>& below = levels[l - 1];
+      levels[l].resize(below.width() / 2, below.height() / 2);
+      for (int y = 0; y < levels[l].height(); ++y)
+        kernels.halve(below.row(2 * y), below.row(2 * y + 1), levels[l].width(), levels[l].row(y));
+    }
+  }
+
+  /// Of a Gaussian; rounded from the outside, the rest goes to the middle.
+  static kernel::BlurWeights blur_weights(double sigma) {
+    const double next = std::exp(-0.5 / (sigma * sigma)), outer = std::exp(-2 / (sigma * sigma));
+    const double unit = 256 / (1 + 2 * (next + outer));
+    kernel::BlurWeights w;
+    w.outer = static_cast<unsigned short>(std::lround(unit * outer));
+    w.next = static_cast<unsigned short>(std::lround(unit * (next + outer) - w.outer));
+    w.middle = static_cast<unsigned short>(256 - 2 * (w.next + w.outer));
+    return w;
   }
 };
 

@@ -3,8 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <deque>
+#include <utility>
 #include <vector>
 
 #include "dot/camera/concept.hpp"
@@ -49,8 +50,9 @@ struct DepthLearning {
       next = (next + 1) % kFrames;
     }
     double value() const {
-      std::vector<float> v = said;
-      return static_cast<double>(median(v));
+      std::array<float, kFrames> v;
+      std::copy(said.begin(), said.end(), v.begin());
+      return static_cast<double>(median(v.data(), said.size()));
     }
     /// Blended with the prior 1 as if that were one frame, and a quarter for what a median hides.
     double blended() const {
@@ -61,35 +63,36 @@ struct DepthLearning {
   };
 
   double reference_seconds = 0.4;
-  std::deque<Patches> history;  ///< newest first
+  std::vector<Patches> history;  ///< newest first
   Scale change, common, pixel;
 
   /// Drops what was seen, keeps what was learnt.
-  void clear() { history.clear(); }
+  void clear() { drop(0); }
   /// Drops both.
   void forget() {
-    history.clear();
+    clear();
     change = common = pixel = {};
   }
 
-  /// Cuts the frame's background. `blocked` is non-zero where objects are.
+  /// Cuts the frame's background. `background` is zero where objects are.
   template <typename Camera>
-  void remember(const Camera& camera, const Image<float>& inverse_depth, const Image<std::uint8_t>& blocked,
+  void remember(const Camera& camera, const Image<float>& inverse_depth, const Image<std::uint8_t>& background,
                 double timestamp) {
     Patches p;
+    if (!spare_.empty()) p = std::move(spare_.back()), spare_.pop_back();
+    p.x.clear(), p.y.clear(), p.q.clear(), p.begin.clear();
     p.timestamp = timestamp;
+    p.T_cur_ref = {};
     for (int y0 = 0; y0 + kHeight <= inverse_depth.height(); y0 += kHeight)
       for (int x0 = 0; x0 + kWidth <= inverse_depth.width(); x0 += kWidth) {
         const std::size_t begin = p.q.size();
         for (int y = y0 + kStep / 2; y < y0 + kHeight; y += kStep)
           for (int x = x0 + kStep / 2; x < x0 + kWidth; x += kStep) {
             const float q = inverse_depth(x, y);
-            if (q <= 0 || blocked(x, y)) continue;
+            if (q <= 0 || !background(x, y)) continue;
             const Vector3<float> ray =
                 camera.template unproject<float>(Vector2<float>(static_cast<float>(x), static_cast<float>(y)));
-            p.x.push_back(ray.x());
-            p.y.push_back(ray.y());
-            p.q.push_back(q);
+            p.x.push_back(ray.x()), p.y.push_back(ray.y()), p.q.push_back(q);
           }
         if (p.q.size() - begin >= kMinSamples)
           p.begin.push_back(static_cast<int>(begin));
@@ -97,8 +100,9 @@ struct DepthLearning {
           p.x.resize(begin), p.y.resize(begin), p.q.resize(begin);
       }
     p.begin.push_back(static_cast<int>(p.q.size()));
-    history.push_front(std::move(p));
-    while (history.size() > 1 && timestamp - history.back().timestamp > reference_seconds + 1e-6) history.pop_back();
+    history.insert(history.begin(), std::move(p));
+    while (history.size() > 1 && timestamp - history.back().timestamp > reference_seconds + 1e-6)
+      drop(history.size() - 1);
   }
 
   /// Compares the new frame with the newest and the oldest remembered one, and scales `noise`.
@@ -125,47 +129,69 @@ struct DepthLearning {
     medians_.clear();
     scatters_.clear();
     motion_.clear();
-    for (std::size_t k = 0; k + 1 < p.begin.size(); ++k) {
-      differences_.clear();
-      float q_min = 1e9f, q_max = 0, moved = 0;
-      for (auto i = static_cast<std::size_t>(p.begin[k]); i < static_cast<std::size_t>(p.begin[k + 1]); ++i) {
-        const Vector3<float> X = R * Vector3<float>(p.x[i], p.y[i], 1) + p.q[i] * t;
-        if (X.z() < 1e-3f) continue;
-        const Vector2<float> pixel_position = camera.template project<float>(X);
-        const int u = static_cast<int>(std::lround(pixel_position.x())),
-                  v = static_cast<int>(std::lround(pixel_position.y()));
-        if (!inverse_depth.contains(u, v) || inverse_depth(u, v) <= 0) continue;
-        const float predicted = p.q[i] / X.z();
-        differences_.push_back(inverse_depth(u, v) - predicted);
-        moved = (pixel_position - camera.template project<float>(Vector3<float>(p.x[i], p.y[i], 1))).norm();
-        q_min = std::min(q_min, predicted);
-        q_max = std::max(q_max, predicted);
-      }
-      if (static_cast<int>(differences_.size()) < kMinSamples) continue;
-      const double q = 0.5 * static_cast<double>(q_min + q_max);
-      const double other_surface = 7 * noise.prior_pixel(q);
-      const double relief = std::max(other_surface, 0.3 * q);
-      if (static_cast<double>(q_max - q_min) > relief) continue;  // more than one surface
-      const float m = median(differences_);
-      if (static_cast<double>(std::abs(m)) > other_surface) continue;  // something nearer hides it now
-      motion_.push_back(moved);
-      medians_.push_back(static_cast<float>(std::abs(m) / noise.prior_common(q)));
-      for (float& d : differences_) d = std::abs(d - m);
-      scatters_.push_back(static_cast<float>(1.4826 * static_cast<double>(median(differences_)) / std::sqrt(2.0) /
-                                             noise.prior_pixel(q)));
-    }
-    if (medians_.size() < 5 || static_cast<double>(median(motion_)) < kMinMotion) return;
-    shared.add(quantile(medians_, 0.85) / 1.44f);
-    if (single) single->add(median(scatters_));
+    for (std::size_t k = 0; k + 1 < p.begin.size(); ++k)
+      compare_patch(camera, p, k, R, t, inverse_depth, noise, single != nullptr);
+    if (medians_.size() < 5 || static_cast<double>(median(motion_.data(), motion_.size())) < kMinMotion) return;
+    shared.add(quantile(medians_.data(), medians_.size(), 0.85) / 1.44f);
+    if (single) single->add(median(scatters_.data(), scatters_.size()));
   }
 
-  static float quantile(std::vector<float>& values, double share) {
-    const auto k = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), k, values.end());
+  /// What one patch says, if it is seen again and is one surface.
+  /// @param scatter whether that of single pixels is asked for.
+  template <typename Camera>
+  void compare_patch(const Camera& camera, const Patches& p, std::size_t k, const Matrix3<float>& R,
+                     const Vector3<float>& t, const Image<float>& inverse_depth, const DepthNoise& noise,
+                     bool scatter) {
+    differences_.clear();
+    float q_min = 1e9f, q_max = 0;
+    Vector3<float> last_ray = Vector3<float>::Zero();
+    Vector2<float> last_position = Vector2<float>::Zero();
+    for (auto i = static_cast<std::size_t>(p.begin[k]); i < static_cast<std::size_t>(p.begin[k + 1]); ++i) {
+      const Vector3<float> ray(p.x[i], p.y[i], 1), X = R * ray + p.q[i] * t;
+      if (X.z() < 1e-3f) continue;
+      const Vector2<float> position = camera.template project<float>(X);
+      // The nearest pixel; half a pixel beyond the outermost still has one.
+      const float x = position.x() + 0.5f, y = position.y() + 0.5f;
+      if (!(x >= 0 && y >= 0 && x < static_cast<float>(inverse_depth.width()) &&
+            y < static_cast<float>(inverse_depth.height())))
+        continue;
+      const float measured = inverse_depth(static_cast<int>(x), static_cast<int>(y));
+      if (measured <= 0) continue;
+      const float predicted = p.q[i] / X.z();
+      differences_.push_back(measured - predicted);
+      last_ray = ray, last_position = position;
+      q_min = std::min(q_min, predicted);
+      q_max = std::max(q_max, predicted);
+    }
+    if (static_cast<int>(differences_.size()) < kMinSamples) return;
+    const double q = 0.5 * static_cast<double>(q_min + q_max);
+    const double other_surface = 7 * noise.prior_pixel(q);
+    const double relief = std::max(other_surface, 0.3 * q);
+    if (static_cast<double>(q_max - q_min) > relief) return;  // more than one surface
+    const float m = median(differences_.data(), differences_.size());
+    if (static_cast<double>(std::abs(m)) > other_surface) return;  // something nearer hides it now
+    motion_.push_back((last_position - camera.template project<float>(last_ray)).norm());
+    medians_.push_back(static_cast<float>(std::abs(m) / noise.prior_common(q)));
+    if (!scatter) return;
+    for (float& d : differences_) d = std::abs(d - m);
+    scatters_.push_back(
+        static_cast<float>(1.4826 * static_cast<double>(median(differences_.data(), differences_.size())) /
+                           std::sqrt(2.0) / noise.prior_pixel(q)));
+  }
+
+  /// All but the newest `count` frames; their memory serves the next ones.
+  void drop(std::size_t count) {
+    for (; history.size() > count; history.pop_back()) spare_.push_back(std::move(history.back()));
+  }
+
+  static float quantile(float* values, std::size_t size, double share) {
+    float* const k = values + static_cast<std::ptrdiff_t>(share * static_cast<double>(size - 1));
+    std::nth_element(values, k, values + size);
     return *k;
   }
-  static float median(std::vector<float>& values) { return quantile(values, 0.5); }
+  static float median(float* values, std::size_t size) { return quantile(values, size, 0.5); }
 
+  std::vector<Patches> spare_;
   std::vector<float> differences_, medians_, scatters_, motion_;
 };
 

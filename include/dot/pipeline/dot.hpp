@@ -4,12 +4,15 @@
 
 #include <chrono>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "dot/camera/depth_noise.hpp"
 #include "dot/camera/pinhole.hpp"
 #include "dot/image/convert.hpp"
+#include "dot/image/morphology.hpp"
+#include "dot/kernel/portable_kernels.hpp"
 #include "dot/mask/association.hpp"
 #include "dot/mask/grow.hpp"
 #include "dot/motion/classifier.hpp"
@@ -24,6 +27,13 @@
 #include "dot/points/select_object.hpp"
 
 DOT_BEGIN_NAMESPACE
+
+/// Whether an aligner tells which kernels it uses.
+template <typename Aligner, typename = void>
+inline constexpr bool has_kernels_v = false;
+template <typename Aligner>
+inline constexpr bool has_kernels_v<
+    Aligner, std::enable_if_t<std::is_same_v<decltype(Aligner::reduction.kernels), const kernel::Kernels*>>> = true;
 
 /// The pipeline: labels each object of each frame static, moving or not observable.
 ///
@@ -132,7 +142,7 @@ class Dot {
   void follow(TrackT& object);
   KnownVelocity known_velocity(const TrackT& object, const ObjectReference& r) const;
   std::vector<SE3d>& starts(const TrackT& object, const ObjectReference& reference);
-  Vector3<double> anchor(const Mask& mask, const Image<float>& inverse_depth) const;
+  Vector3<double> anchor(const Mask& mask, const Image<float>& inverse_depth);
   void advance(TrackT& object);
   void match(const std::vector<TrackT*>& tracks);
   void match(const std::vector<TrackT*>& tracks, bool discovered);
@@ -149,8 +159,17 @@ class Dot {
   void paint(const std::vector<TrackT*>& order, Image<std::uint32_t>& ids) const;
   void label();
   double depth_tolerance(double q) const;
-  Selector<Camera, Noise> selector(const Current& frame) const {
-    return {camera_, depth_noise, frame.pyramid, frame.inverse_depth().view(), options_.selection};
+  /// Those of the aligner, so that one choice holds for all; without, the portable ones.
+  const kernel::Kernels& kernels() const {
+    if constexpr (has_kernels_v<Aligner>)
+      return *aligner.reduction.kernels;
+    else
+      return portable_kernels();
+  }
+  Selector<Camera, Noise> selector(const Current& frame) {
+    return {
+        camera_,  depth_noise, frame.pyramid, frame.inverse_depth().view(), options_.selection, selection_workspace_,
+        kernels()};
   }
   void make_references();
   void add_reference(const Selector<Camera, Noise>& select, TrackT& object);
@@ -203,7 +222,10 @@ class Dot {
   WarpWorkspace warp_workspace_;
   GrowWorkspace grow_workspace_;
   SplitWorkspace split_workspace_;
-  Image<std::uint8_t> blocked_;
+  SelectionWorkspace selection_workspace_;
+  Image<std::uint8_t> blocked_;          ///< where nothing is to be discovered
+  Image<std::uint8_t> background_mask_;  ///< 255: no object there nor near
+  Image<std::uint8_t> mask_rows_;
   std::vector<SE3d> camera_starts_, object_starts_;
   ObjectReference here_;           ///< the object that `look_back` looks at
   std::vector<TrackT*> selected_;  ///< by `tracks_that`

@@ -8,6 +8,7 @@
 
 #include "dot/abi.hpp"
 #include "dot/image/pyramid.hpp"
+#include "dot/kernel/portable_kernels.hpp"
 #include "dot/points/plane_fit.hpp"
 #include "dot/points/point_set.hpp"
 #include "dot/points/settings.hpp"
@@ -19,7 +20,30 @@ struct Box {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Semi-dense selection: a grid over `box`, in each cell the accepted pixel of strongest gradient, with the depth of
+/// Where points are wanted, and how many. The images are of the box's size.
+struct SelectionRegion {
+  Box box;
+  ImageView<const std::uint8_t> mask;  ///< non-zero = may be a point; empty: all may
+  ImageView<const float> surface;      ///< inverse depth that planes may use, 0 = none
+  int budget = 0;                      ///< points, about
+  int radius = 5;                      ///< pixels: half size of the window whose plane gives a point its depth
+  double min_gradient = 0;             ///< grey values per pixel
+  const PlaneFit* shared = nullptr;    ///< for all points instead, also those whose depth was not measured, about the
+                                       ///< pixel (width / 2, height / 2) of the box (distant object)
+};
+
+/// Memory of the selection, kept from frame to frame.
+struct SelectionWorkspace {
+  std::vector<int> keys;  ///< of a strip's columns
+  std::vector<std::uint8_t> everywhere;
+  std::vector<kernel::PlaneSeed> seeds;  ///< pixels of the box
+  std::vector<PlaneFit> planes;
+  std::vector<float> values;
+  Image<std::uint8_t> mask, outside, outside_rows;
+  Image<float> surface, nearer, nearer_rows;
+};
+
+/// Semi-dense selection: a grid over a box, in each cell the admitted pixel of strongest gradient, with the depth of
 /// the plane that fits its surroundings (semi-dense, as in direct odometry).
 ///
 /// A raw depth pixel carries its own noise, and near an edge the depth of something else; the plane has neither. The
@@ -34,49 +58,53 @@ struct Selector {
   const Pyramid& pyramid;
   ImageView<const float> inverse_depth;
   const SelectionSettings& settings;
+  SelectionWorkspace& workspace;
+  const kernel::Kernels& kernels = portable_kernels();
 
-  /// Appends up to about `budget` points.
-  /// @param accept (x, y) -> bool, may the pixel be a point; @param support whose depth its plane may use.
-  /// @param min_gradient grey values per pixel.
-  /// @param shared a plane for all points (distant object), also those whose depth was not measured; or null.
-  template <typename Accept>
-  void operator()(const Box& box, int budget, int radius, double min_gradient, Accept&& accept,
-                  const DepthSupport& support, const PlaneFit* shared, int shared_u, int shared_v,
-                  PointSet& points) const {
+  /// Appends points, in the order of the cells.
+  void operator()(const SelectionRegion& region, PointSet& points) const {
+    const Box& box = region.box;
     const int border = 4;  // the samplers' and the blur's reach
     const int x0 = std::max(box.x, border), x1 = std::min(box.x + box.width, inverse_depth.width - border);
     const int y0 = std::max(box.y, border), y1 = std::min(box.y + box.height, inverse_depth.height - border);
     if (x1 <= x0 || y1 <= y0) return;
     const Image<std::uint8_t>& grey = pyramid.levels[0];
-    // The budget is for the area that may have points at all.
-    const int step = (x1 - x0) * (y1 - y0) > 20000 ? 4 : 1;
-    int area = 0;
-    for (int y = y0; y < y1; y += step)
-      for (int x = x0; x < x1; x += step) area += (shared || inverse_depth(x, y) > 0) && accept(x, y);
-    area *= step * step;
-    const int cell = std::max(1, static_cast<int>(std::lround(std::sqrt(area / std::max(1.0, 1.0 * budget)))));
-    // Twice the gradient, squared: central differences without their half.
-    const int threshold = static_cast<int>(4 * min_gradient * min_gradient);
-    struct Strongest {
-      int gradient, x, y;
-    };
-    std::vector<Strongest> cells(static_cast<std::size_t>((x1 - x0 + cell - 1) / cell));
-    std::vector<int> gradients(static_cast<std::size_t>(x1 - x0));
-    for (int cy = y0; cy < y1; cy += cell) {
-      std::fill(cells.begin(), cells.end(), Strongest{threshold, -1, -1});
-      for (int y = cy; y < std::min(cy + cell, y1); ++y) {
-        squared_gradients(grey, x0, x1, y, gradients.data());
-        for (std::size_t c = 0; c < cells.size(); ++c) {
-          const int begin = x0 + static_cast<int>(c) * cell;
-          for (int x = begin; x < std::min(begin + cell, x1); ++x) {
-            const int g = gradients[static_cast<std::size_t>(x - x0)];
-            if (g > cells[c].gradient && (shared || inverse_depth(x, y) > 0) && accept(x, y)) cells[c] = {g, x, y};
-          }
-        }
-      }
-      for (const Strongest& s : cells)
-        if (s.x >= 0) add(s.x, s.y, radius, support, shared, shared_u, shared_v, points);
+    kernel::GradientStrip strip;
+    strip.grey_stride = grey.view().stride;
+    strip.width = x1 - x0;
+    ImageView<const std::uint8_t> mask = region.mask;
+    if (!mask.data) {
+      workspace.everywhere.assign(static_cast<std::size_t>(box.width), 255);
+      mask = {workspace.everywhere.data(), box.width, box.height, 0};
     }
+    strip.mask_stride = mask.stride;
+    strip.q_stride = region.surface.stride;
+    const int cell = cell_size(region, mask, x0 - box.x, y0 - box.y, x1 - box.x, y1 - box.y);
+    // Twice the gradient, squared: central differences without their half.
+    const int threshold = static_cast<int>(4 * region.min_gradient * region.min_gradient);
+    std::vector<int>& keys = workspace.keys;
+    keys.resize(static_cast<std::size_t>(strip.width));
+    workspace.seeds.clear();
+    for (int y = y0; y < y1; y += cell) {
+      strip.rows = std::min(cell, y1 - y);
+      strip.grey = grey.row(y) + x0;
+      strip.mask = mask.row(y - box.y) + (x0 - box.x);
+      strip.q = region.shared ? nullptr : region.surface.row(y - box.y) + (x0 - box.x);
+      kernels.strongest_gradients(strip, threshold, keys.data());
+      for (int begin = 0; begin < strip.width; begin += cell) {
+        int best = keys[static_cast<std::size_t>(begin)], column = begin;
+        for (int x = begin + 1; x < std::min(begin + cell, strip.width); ++x) {
+          const int key = keys[static_cast<std::size_t>(x)];
+          column = key > best ? x : column;
+          best = std::max(best, key);
+        }
+        if (strip.gradient_of(best) <= threshold) continue;
+        const int u = x0 - box.x + column, v = y - box.y + strip.row_of(best);
+        const float measured = region.surface(u, v), sigma = pixel_sigma(region, measured);
+        workspace.seeds.push_back({u, v, measured, 5 * sigma});
+      }
+    }
+    fit_and_add(region, points);
   }
 
   /// Reference intensities of all points, each level.
@@ -84,53 +112,59 @@ struct Selector {
     points.levels = std::min(pyramid.size(), PointSet::kMaxLevels);
     for (int l = 0; l < points.levels; ++l) {
       const Image<std::uint8_t>& image = pyramid.levels[static_cast<std::size_t>(l)];
-      const float scale = 1.f / static_cast<float>(1 << l);
       const auto k = static_cast<std::size_t>(l);
       for (auto* a : {&points.intensity[k], &points.gu[k], &points.gv[k]}) a->resize(points.u.size());
-      for (std::size_t i = 0; i < points.u.size(); ++i) {
-        const float u = std::clamp((points.u[i] + 0.5f) * scale - 0.5f, 1.f, static_cast<float>(image.width()) - 2.01f);
-        const float v =
-            std::clamp((points.v[i] + 0.5f) * scale - 0.5f, 1.f, static_cast<float>(image.height()) - 2.01f);
-        const Sample s = sample(image, u, v);
-        points.intensity[k][i] = s.value, points.gu[k][i] = s.gx, points.gv[k][i] = s.gy;
-      }
+      kernels.sample({image.row(0), image.width(), image.height(), image.width()}, 1.f / static_cast<float>(1 << l),
+                     points.u.data(), points.v.data(), points.size(),
+                     {points.intensity[k].data(), points.gu[k].data(), points.gv[k].data()});
     }
   }
 
  private:
-  /// (2 |grad I|)^2 of the pixels x0 <= x < x1 of a row.
-  static void squared_gradients(const Image<std::uint8_t>& grey, int x0, int x1, int y, int* out) {
-    const std::uint8_t* row = grey.row(y);
-    const std::uint8_t* above = grey.row(y - 1);
-    const std::uint8_t* below = grey.row(y + 1);
-    for (int x = x0; x < x1; ++x) {
-      const int gx = row[x + 1] - row[x - 1], gy = below[x] - above[x];
-      out[x - x0] = gx * gx + gy * gy;
-    }
+  float pixel_sigma(const SelectionRegion& region, float measured) const {
+    return static_cast<float>(noise.pixel(measured > 0 ? measured : region.shared->q));
   }
 
-  void add(int x, int y, int radius, const DepthSupport& support, const PlaneFit* shared, int shared_u, int shared_v,
-           PointSet& points) const {
-    const float measured = inverse_depth(x, y);
-    const float sigma = static_cast<float>(noise.pixel(measured > 0 ? measured : shared->q));
-    PlaneFit fit;
-    float q;
-    if (shared) {
-      fit = *shared;
-      q = fit.q + fit.du * static_cast<float>(x - shared_u) + fit.dv * static_cast<float>(y - shared_v);
-      if (measured > 0 && std::abs(measured - q) > 5 * sigma) return;
-    } else {
-      const int area = (2 * radius + 1) * (2 * radius + 1);
-      if (!fit_plane(inverse_depth, x, y, radius, measured, 5 * sigma, area / 4, support, fit)) return;
-      if (fit.rms > 2.5f * sigma) return;
-      q = fit.q;
+  /// Of the grid: the budget is for the area that may have points at all.
+  int cell_size(const SelectionRegion& region, ImageView<const std::uint8_t> mask, int x0, int y0, int x1,
+                int y1) const {
+    const int step = (x1 - x0) * (y1 - y0) > 20000 ? 4 : 1;
+    int area = 0;
+    for (int y = y0; y < y1; y += step)
+      for (int x = x0; x < x1; x += step) area += mask(x, y) != 0 && (region.shared || region.surface(x, y) > 0);
+    area *= step * step;
+    const int cell = static_cast<int>(std::lround(std::sqrt(area / std::max(1.0, 1.0 * region.budget))));
+    return std::clamp(cell, 1, kernel::kMaxStripRows);
+  }
+
+  /// The seeds whose plane tells their depth.
+  void fit_and_add(const SelectionRegion& region, PointSet& points) const {
+    const std::vector<kernel::PlaneSeed>& seeds = workspace.seeds;
+    std::vector<PlaneFit>& planes = workspace.planes;
+    planes.resize(seeds.size());
+    if (!region.shared) {
+      const int side = 2 * region.radius + 1;
+      kernels.fit_planes(kernel_view(region.surface), plane_window(region.radius, side * side / 4), seeds.data(),
+                         static_cast<int>(seeds.size()), planes.data());
     }
-    if (!(q > 0)) return;
-    const float independent = std::max(1.f, static_cast<float>(fit.inliers) / kCorrelatedArea);
-    const float sigma_q = std::max(fit.rms, 0.25f * sigma) / std::sqrt(independent);
-    using Vector2f = Eigen::Matrix<float, 2, 1>;
-    const auto ray = camera.template unproject<float>(Vector2f(static_cast<float>(x), static_cast<float>(y)));
-    points.push(static_cast<float>(x), static_cast<float>(y), ray.x(), ray.y(), q, sigma_q);
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+      const kernel::PlaneSeed& seed = seeds[i];
+      const float sigma = seed.gate / 5;
+      PlaneFit fit = planes[i];
+      if (region.shared) {
+        fit = *region.shared;
+        fit.q += fit.du * static_cast<float>(seed.u - region.box.width / 2) +
+                 fit.dv * static_cast<float>(seed.v - region.box.height / 2);
+        if (!(fit.q > 0) || (seed.q > 0 && std::abs(seed.q - fit.q) > seed.gate)) continue;
+      } else if (fit.inliers == 0 || fit.variance > 6.25f * sigma * sigma) {
+        continue;
+      }
+      const float independent = std::max(1.f, static_cast<float>(fit.inliers) / kCorrelatedArea);
+      const float sigma_q = std::max(std::sqrt(fit.variance), 0.25f * sigma) / std::sqrt(independent);
+      const float u = static_cast<float>(region.box.x + seed.u), v = static_cast<float>(region.box.y + seed.v);
+      const auto ray = camera.template unproject<float>(Eigen::Matrix<float, 2, 1>(u, v));
+      points.push(u, v, ray.x(), ray.y(), fit.q, sigma_q);
+    }
   }
 };
 

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
-#include "dot/image/opencv.hpp"
+#include "dot/image/morphology.hpp"
 #include "dot/points/select.hpp"
-
-#include <opencv2/imgproc.hpp>
 
 DOT_BEGIN_NAMESPACE
 
@@ -16,6 +17,54 @@ struct ObjectPoints {
   int pixels_with_depth = 0;  ///< of the mask, on the object's surface
   float median_q = 0;         ///< 1/m
 };
+
+namespace selecting {
+
+/// Which pixels of an object's box may be points, into work.mask: of its eroded mask, where its surface (work.surface)
+/// was measured, nothing nearer beside it that is not the object's.
+/// @param level 1/m, of what was not measured; 0: that may not.
+inline void admit(ImageView<const float> frame, const Box& box, ImageView<const std::uint8_t> mask, int area,
+                  float level, float slack, SelectionWorkspace& work) {
+  constexpr int kErosion = 2, kReach = 4;
+  const int width = box.width, height = box.height;
+  // What is not the object, with a rim.
+  work.outside.resize(width + 2 * kErosion, height + 2 * kErosion);
+  work.outside.fill(255);
+  work.nearer.resize(width + 2 * kReach, height + 2 * kReach);
+  work.nearer.fill(0);
+  for (int y = -kReach; y < height + kReach; ++y) {
+    if (box.y + y < 0 || box.y + y >= frame.height) continue;
+    const int begin = std::max(-kReach, -box.x), end = std::min(width + kReach, frame.width - box.x);
+    const float* depth = frame.row(box.y + y) + box.x;
+    float* out = work.nearer.row(y + kReach) + kReach;
+    std::copy(depth + begin, depth + end, out + begin);
+    if (y < 0 || y >= height) continue;
+    const std::uint8_t* inside = mask.row(y);
+    std::uint8_t* outside = work.outside.row(y + kErosion) + kErosion;
+    for (int x = 0; x < width; ++x) outside[x] = inside[x] ? 0 : 255;
+    for (int x = 0; x < width; ++x) out[x] = inside[x] ? 0 : out[x];
+  }
+  if (area > 2500)
+    dilate<2>(std::as_const(work.outside).view(), work.outside_rows, work.outside.view());
+  else
+    dilate<1>(std::as_const(work.outside).view(), work.outside_rows, work.outside.view());
+  dilate<kReach>(std::as_const(work.nearer).view(), work.nearer_rows, work.nearer.view());
+  work.mask.resize(width, height);
+  for (int y = 0; y < height; ++y) {
+    const float* depth = frame.row(box.y + y) + box.x;
+    const float* surface = work.surface.row(y);
+    const float* nearer = work.nearer.row(y + kReach) + kReach;
+    const std::uint8_t* outside = work.outside.row(y + kErosion) + kErosion;
+    std::uint8_t* may = work.mask.row(y);
+    for (int x = 0; x < width; ++x) {
+      const float q = surface[x] > 0 ? surface[x] : depth[x] > 0 ? 0 : level;
+      const bool admitted = (outside[x] == 0) & (q > 0) & (nearer[x] <= 1.15f * q + slack);
+      may[x] = admitted ? 255 : 0;
+    }
+  }
+}
+
+}  // namespace selecting
 
 /// Points of one object: inside its eroded mask, within the object's own range of depth, away from what occludes it.
 ///
@@ -29,14 +78,15 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
                            int area, PointSet& points) {
   points.clear();
   ObjectPoints out;
-  const ImageView<const float> depth = select.inverse_depth;
-  const int w = box.width, h = box.height;
-  std::vector<float> values;
-  values.reserve(static_cast<std::size_t>(area) / 4 + 1);
+  SelectionWorkspace& work = select.workspace;
+  const ImageView<const float> frame = select.inverse_depth;
+  const ImageView<const float> depth{frame.row(box.y) + box.x, box.width, box.height, frame.stride};
+  std::vector<float>& values = work.values;
+  values.clear();
   const int step = area > 4000 ? 2 : 1;
-  for (int y = 0; y < h; y += step)
-    for (int x = 0; x < w; x += step)
-      if (mask(x, y) && depth(box.x + x, box.y + y) > 0) values.push_back(depth(box.x + x, box.y + y));
+  for (int y = 0; y < box.height; y += step)
+    for (int x = 0; x < box.width; x += step)
+      if (mask(x, y) && depth(x, y) > 0) values.push_back(depth(x, y));
   if (values.size() < 10) return out;
   const auto percentile = [&](double p) {
     const auto k = static_cast<std::ptrdiff_t>(p * static_cast<double>(values.size() - 1));
@@ -47,60 +97,30 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
   out.median_q = percentile(0.5);
   const float z = 1 / out.median_q;
   const float widen = std::min(3.5f, 0.25f * z + (1 / far - 1 / near));
-  const float slack = 4 * static_cast<float>(select.noise.pixel(out.median_q));
+  const float sigma = static_cast<float>(select.noise.pixel(out.median_q)), slack = 4 * sigma;
   const float q_min = 1 / (1 / far + widen) - slack;
   const float z_near = 1 / near - widen;
   const float q_max = (z_near > 0 ? 1 / z_near : 1e6f) + slack;
   for (const float q : values) out.pixels_with_depth += q >= q_min && q <= q_max;
   out.pixels_with_depth *= step * step;
+  cut_surface(depth, mask, q_min, q_max, work.surface);
 
-  // Border of the mask, and surroundings of nearer things outside it.
-  const int erosion = 1 + (area > 2500);
-  cv::Mat inner;
-  cv::Mat padded;
-  cv::copyMakeBorder(mat(mask), padded, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
-  cv::erode(padded, inner, cv::Mat::ones(2 * erosion + 1, 2 * erosion + 1, CV_8U), cv::Point(-1, -1), 1,
-            cv::BORDER_CONSTANT, cv::Scalar(255));
-  inner = inner(cv::Rect(1, 1, w, h));
-  const int reach = 4;
-  cv::Mat outside(h + 2 * reach, w + 2 * reach, CV_32F, cv::Scalar(0));
-  for (int y = -reach; y < h + reach; ++y) {
-    const int fy = box.y + y;
-    if (fy < 0 || fy >= depth.height) continue;
-    float* row = outside.ptr<float>(y + reach);
-    for (int x = -reach; x < w + reach; ++x) {
-      const int fx = box.x + x;
-      if (fx < 0 || fx >= depth.width) continue;
-      const bool in = x >= 0 && y >= 0 && x < w && y < h && mask(x, y);
-      if (!in) row[x + reach] = depth(fx, fy);
-    }
-  }
-  cv::Mat nearer;
-  cv::dilate(outside, nearer, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
-
-  const DepthSupport on_surface{mask, box.x, box.y, q_min, q_max};
-  bool flat = false;
-  const auto accept = [&](int x, int y) {
-    const int mx = x - box.x, my = y - box.y;
-    if (!inner.at<std::uint8_t>(my, mx)) return false;
-    const bool measured = depth(x, y) > 0;
-    if (!measured && !flat) return false;
-    const float q = measured ? depth(x, y) : out.median_q;
-    if (q < q_min || q > q_max) return false;
-    return nearer.at<float>(my + reach, mx + reach) <= 1.15f * q + slack;
-  };
-
-  const float sigma = static_cast<float>(select.noise.pixel(out.median_q));
   const double focal = 0.5 * (select.camera.intrinsics().fx + select.camera.intrinsics().fy);
-  const double size = std::sqrt(static_cast<double>(area)) / focal * z;  // metres
-  const double relief = 0.5 * size * out.median_q * out.median_q;        // in inverse depth
+  const double size = std::sqrt(static_cast<double>(area)) / focal * static_cast<double>(z);                 // metres
+  const double relief = 0.5 * size * static_cast<double>(out.median_q) * static_cast<double>(out.median_q);  // in q
   PlaneFit plane;
-  const int cu = box.x + w / 2, cv_ = box.y + h / 2;
-  flat = relief < 1.2 * sigma && fit_plane(depth, cu, cv_, std::max(w, h) / 2 + 1, out.median_q, 5 * sigma,
-                                           out.pixels_with_depth / 3, on_surface, plane);
+  bool flat = false;
+  if (relief < 1.2 * static_cast<double>(sigma)) {
+    const kernel::PlaneSeed middle{box.width / 2, box.height / 2, out.median_q, 5 * sigma};
+    select.kernels.fit_planes(
+        kernel_view(work.surface.view()),
+        plane_window(std::max(box.width, box.height) / 2 + 1, std::max(1, out.pixels_with_depth / 3)), &middle, 1,
+        &plane);
+    flat = plane.inliers > 0;
+  }
   if (4 * out.pixels_with_depth < area) {  // too few depths for planes of its own: all that is known is where it is
     flat = true;
-    plane.rms = static_cast<float>(relief);
+    plane.variance = static_cast<float>(relief * relief);
     plane.inliers = 1;
   }
   if (flat) {
@@ -108,12 +128,20 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
     plane.du = plane.dv = 0;
     plane.q = out.median_q;
   }
-  const int radius = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(area)) / 8), 3, 6);
+  selecting::admit(frame, box, mask, area, flat ? out.median_q : 0, slack, work);
+
+  SelectionRegion region;
+  region.box = box;
+  region.mask = work.mask.view();
+  region.surface = work.surface.view();
+  region.budget = select.settings.object_points;
+  region.radius = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(area)) / 8), 3, 6);
+  region.shared = flat ? &plane : nullptr;
   // Strong gradients carry the information; weak ones only where there are few of them.
   for (const double share : {1.0, 0.5}) {
     points.clear();
-    select(box, select.settings.object_points, radius, share * select.settings.object_gradient, accept, on_surface,
-           flat ? &plane : nullptr, cu, cv_, points);
+    region.min_gradient = share * select.settings.object_gradient;
+    select(region, points);
     if (points.size() >= 60) break;
   }
   select.sample_intensities(points);

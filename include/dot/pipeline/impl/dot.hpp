@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "dot/pipeline/dot.hpp"
 
@@ -97,10 +98,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::build(const Frame& frame) {
   to_grey(frame.image, current_.grey);
   current_.pyramid.build(
       current_.grey.view(),
-      pyramid_levels(frame.image.width, frame.image.height, std::min(options_.align.max_levels, PointSet::kMaxLevels)));
+      pyramid_levels(frame.image.width, frame.image.height, std::min(options_.align.max_levels, PointSet::kMaxLevels)),
+      kernels());
   current_.depth.levels.resize(current_.pyramid.levels.size());
-  to_inverse_depth(frame.depth, options_.selection.max_depth, current_.depth.levels[0]);
-  current_.depth.build(current_.pyramid.size());
+  to_inverse_depth(frame.depth, options_.selection.max_depth, current_.depth.levels[0], kernels());
+  current_.depth.build(current_.pyramid.size(), kernels());
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -164,21 +166,26 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
   const Selector<Camera, Noise> select = selector(current_);
   // Background: what no object covers, with a margin for ragged outlines.
-  blocked_.resize(ids_.width(), ids_.height());
-  for (int y = 0; y < ids_.height(); ++y) {
+  const int width = ids_.width(), height = ids_.height();
+  background_mask_.resize(width, height);
+  for (int y = 0; y < height; ++y) {
     const std::uint32_t* id = ids_.row(y);
-    std::uint8_t* out = blocked_.row(y);
-    for (int x = 0; x < ids_.width(); ++x) out[x] = id[x] ? 255 : 0;
+    std::uint8_t* out = background_mask_.row(y);
+    for (int x = 0; x < width; ++x) out[x] = id[x] ? 0 : 255;
   }
-  cv::Mat blocked = mat(blocked_.view());
-  cv::dilate(blocked, blocked, cv::Mat::ones(9, 9, CV_8U));
+  erode<4>(std::as_const(background_mask_).view(), mask_rows_, background_mask_.view());
   if constexpr (std::is_same_v<Noise, DepthNoise>)
-    depth_learning_.remember(camera_, current_.inverse_depth(), blocked_, current_.timestamp);
+    depth_learning_.remember(camera_, current_.inverse_depth(), background_mask_, current_.timestamp);
   if (options_.discover_unknown) discovery_.remember(ids_, current_.timestamp);
-  const auto free = [&](int x, int y) { return blocked_(x, y) == 0; };
   fresh_.clear();
-  select({0, 0, camera_.width(), camera_.height()}, options_.selection.background_points,
-         options_.selection.window_radius, options_.selection.min_gradient, free, {}, nullptr, 0, 0, fresh_);
+  const SelectionSettings& s = options_.selection;
+  select({{0, 0, camera_.width(), camera_.height()},
+          background_mask_.view(),
+          current_.inverse_depth().view(),
+          s.background_points,
+          s.window_radius,
+          s.min_gradient},
+         fresh_);
   result_.too_little_depth = fresh_.size() < options_.camera.min_points;
   if (result_.too_little_depth) {  // go on with the points that the camera was last aligned to
     T_cur_background_ = camera_state_.T_cur_prev * T_cur_background_;

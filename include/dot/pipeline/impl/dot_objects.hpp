@@ -188,9 +188,9 @@ std::vector<SE3d>& Dot<Camera, Classifier, Noise, Aligner>::starts(const TrackT&
 
 /// Centre of a mask at its median depth, axes of its frame's camera; zero where it has no depth.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask,
-                                                                const Image<float>& inverse_depth) const {
-  std::vector<float> q;
+Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask, const Image<float>& inverse_depth) {
+  std::vector<float>& q = selection_workspace_.values;
+  q.clear();
   double u = 0, v = 0;
   int n = 0;
   const int step = mask.area > 4000 ? 2 : 1;  // a quarter of so many pixels tells it as well

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dot/align/impl/kernel_factor.hpp"
+#include "dot/kernel/impl/photometric_factor.hpp"
 
 /// @file
-/// The kernels of align/kernel.hpp over the lanes of impl/kernel_factor.hpp; a unit takes `kernels_of<V>` for its own
-/// V.
+/// The kernels of kernel/photometric.hpp.
 ///
 /// The work goes by blocks of points that stay in the first cache: first residuals and Jacobians are written as
 /// columns, then products of columns are summed with the sums in registers. Lanes that see nothing have weight zero.
@@ -222,12 +221,6 @@ void linearize(const Input& in, Sums& out) {
     case GradientSource::Reference: return linearize_by<V, GradientSource::Reference, kParameters>(in, out);
     case GradientSource::Mean: return linearize_by<V, GradientSource::Mean, kParameters>(in, out);
   }
-}
-
-/// The three functions over V.
-template <typename V>
-constexpr Kernels kernels_of(const char* name) {
-  return {name, residuals<V>, linearize<V, 8>, linearize<V, 6>};
 }
 
 }  // namespace dot::kernel

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dot/align/kernel.hpp"
-#include "dot/align/settings.hpp"
 #include "dot/export.hpp"
+#include "dot/kernel/kernels.hpp"
+#include "dot/kernel/settings.hpp"
 
 /// @file
 /// Which kernels run, in the compiled tier (target dot::dot).

@@ -9,9 +9,9 @@
 #include "dot/abi.hpp"
 
 /// @file
-/// SIMD lanes in plain C++, for what is written over them (align/impl/kernel_body.hpp, points/plane_fit.hpp): one, and
-/// four by the vectors that GCC and Clang map to what the build's machine has (SSE2, NEON). They live in the namespace
-/// of the including build, with its flags.
+/// SIMD lanes in plain C++, for what is written over them (kernel/impl/kernels_of.hpp): one, and four by the vectors
+/// that GCC and Clang map to what the build's machine has (SSE2, NEON). They live in the namespace of the including
+/// build, with its flags.
 
 DOT_BEGIN_NAMESPACE
 
@@ -23,6 +23,8 @@ struct ScalarLanes {
 
   static F set(float a) { return a; }
   static F load(const float* p) { return *p; }
+  static F load_words(const std::uint16_t* p) { return static_cast<F>(*p); }
+  static void load_pairs(const float* p, F& even, F& odd) { even = p[0], odd = p[1]; }
   static void store(float* p, F a) { *p = a; }
   static F sum(F a) { return a; }
   static F add(F a, F b) { return a + b; }
@@ -80,6 +82,11 @@ struct VectorLanes {
     F a;
     std::memcpy(&a, p, sizeof a);
     return a;
+  }
+  static F load_words(const std::uint16_t* p) { return to_float(I{p[0], p[1], p[2], p[3]}); }
+  static void load_pairs(const float* p, F& even, F& odd) {
+    const F a = load(p), b = load(p + 4);
+    even = F{a[0], a[2], b[0], b[2]}, odd = F{a[1], a[3], b[1], b[3]};
   }
   static void store(float* p, F a) { std::memcpy(p, &a, sizeof a); }
   static float sum(F a) { return (a[0] + a[2]) + (a[1] + a[3]); }

@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <utility>
-#include <vector>
 
-#include "dot/align/dispatch.hpp"
-#include "dot/align/portable_kernels.hpp"
+#include "support/guarded.hpp"
+#include "support/kernel_variants.hpp"
 #include "support/random.hpp"
 
 /// @file
@@ -20,38 +16,9 @@
 namespace {
 
 namespace kernel = dot::kernel;
-using dot::KernelVariant;
+using dot::test::Guarded;
+using dot::test::kernel_variants;
 using dot::test::Random;
-
-/// `bytes` of memory that end where an inaccessible page begins, or begin where one ends.
-class Guarded {
- public:
-  Guarded(std::size_t bytes, bool at_the_end) {
-    const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-    const std::size_t inner = (bytes + page - 1) / page * page;
-    size_ = inner + 2 * page;
-    base_ = static_cast<unsigned char*>(::mmap(nullptr, size_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
-    if (base_ == MAP_FAILED || ::mprotect(base_ + page, inner, PROT_READ | PROT_WRITE) != 0) std::abort();
-    data_ = base_ + page + (at_the_end ? inner - bytes : 0);
-  }
-  ~Guarded() { ::munmap(base_, size_); }
-  Guarded(const Guarded&) = delete;
-  Guarded& operator=(const Guarded&) = delete;
-
-  unsigned char* bytes() const { return data_; }
-  float* floats() const { return reinterpret_cast<float*>(data_); }
-
- private:
-  unsigned char *base_, *data_;
-  std::size_t size_;
-};
-
-std::vector<const kernel::Kernels*> variants() {
-  std::vector<const kernel::Kernels*> found{&dot::portable_kernels()};
-  for (const KernelVariant v : {KernelVariant::Avx2, KernelVariant::Avx512})
-    if (const kernel::Kernels* k = dot::find_kernels(v)) found.push_back(k);
-  return found;
-}
 
 TEST(KernelBounds, ReadAndWriteWithinTheArrays) {
   constexpr int kWidth = 37, kHeight = 29, kHiddenStride = 41;
@@ -96,7 +63,7 @@ TEST(KernelBounds, ReadAndWriteWithinTheArrays) {
       depth.hidden = hidden.bytes();
       depth.hidden_width = kWidth, depth.hidden_height = kHeight, depth.hidden_stride = kHiddenStride;
       depth.occlusion_relative = 10, depth.occlusion_absolute = 10, depth.sigma = 0.1f, depth.weight = 1;
-      for (const kernel::Kernels* k : variants())
+      for (const kernel::Kernels* k : kernel_variants())
         for (const kernel::Depth* term : {static_cast<const kernel::Depth*>(nullptr), &std::as_const(depth)})
           // With the larger scale the outermost points see the corners of depth and mask, and beyond.
           for (const float scale : {1.f, 1.06f}) {
@@ -121,7 +88,7 @@ TEST(KernelBounds, ImagesTooSmallToSampleAreNotRead) {
   const float at[3] = {0, 1, 2}, zero[3] = {};
   float r[3], extra[3], value[3], r_depth[3];
   unsigned char visibility[3];
-  for (const kernel::Kernels* k : variants())
+  for (const kernel::Kernels* k : kernel_variants())
     for (const auto& [width, height] : {std::pair{1, 8}, {8, 1}, {4, 2}, {2, 4}, {0, 0}}) {
       kernel::Input in;
       in.points = {3, at, at, zero, zero, zero, zero, zero, at, at, nullptr};
@@ -151,7 +118,7 @@ TEST(KernelBounds, TheLastByteOfTheMaskCounts) {
   depth.hidden_width = depth.hidden_height = kSize, depth.hidden_stride = kSize;
   depth.hidden_scale = 11.5f / (at + 0.5f);  // to the middle of the last pixel
   in.depth = &depth;
-  for (const kernel::Kernels* k : variants()) {
+  for (const kernel::Kernels* k : kernel_variants()) {
     kernel::Sums sums;
     std::memset(hidden.bytes(), 255, kSize * kSize);
     hidden.bytes()[kSize * kSize - 1] = 0;

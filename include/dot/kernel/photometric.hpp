@@ -4,11 +4,11 @@
 
 #include <cstddef>
 
-#include "dot/align/settings.hpp"
+#include "dot/kernel/settings.hpp"
 
 /// @file
-/// The one signature of the compiled kernels: the photometric factor of align/reduction.hpp for a pinhole camera, over
-/// raw pointers. Plain structs alone, so that a unit built for another instruction set shares no code with its host.
+/// What the photometric kernels take and give: the factor of align/reduction.hpp for a pinhole camera, over raw
+/// pointers. Plain structs alone, so that a unit built for another instruction set shares no code with its host.
 
 namespace dot::kernel {
 
@@ -85,6 +85,13 @@ constexpr unsigned char kSeen = 1;      ///< inside the image, in front, not hid
 constexpr unsigned char kHasDepth = 2;  ///< r_depth holds
 constexpr unsigned char kOccluded = 4;  ///< inside the image, but hidden
 
+/// Of an image at points, arrays of the caller, one value a point.
+struct Samples {
+  float* value = nullptr;  ///< grey values, bilinear
+  float* gu = nullptr;     ///< grey values per pixel: central differences, bilinear
+  float* gv = nullptr;     ///< see gu
+};
+
 /// Sums over the points, see NormalEquations. Of the pose alone: the first six rows and columns, the rest zero.
 struct Sums {
   double H[64] = {};  ///< 8x8, of [xi; a; b], symmetric
@@ -92,14 +99,6 @@ struct Sums {
   double cost = 0;  ///< Huber, sum
   int seen = 0, occluded = 0;
   double modes[4][8] = {};  ///< with a depth term only
-};
-
-/// A set of kernels for one kind of machine. Reentrant; results depend on the arguments alone.
-struct Kernels {
-  const char* name;
-  void (*residuals)(const Input& in, const Residuals& out);
-  void (*linearize)(const Input& in, Sums& out);       ///< pose, gain and offset
-  void (*linearize_pose)(const Input& in, Sums& out);  ///< pose alone
 };
 
 }  // namespace dot::kernel

@@ -2,24 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dot/align/kernel.hpp"
+#include "dot/kernel/photometric.hpp"
 
 /// @file
-/// Residuals and Jacobians of blocks of points over a vector of V::W lanes; impl/kernel_body.hpp adds them up. All here
-/// are templates over V, and V is a name of its unit's own, so no two units share a function. V is one of
-/// impl/lanes.hpp or of src/kernels/; it has, besides W, the types F (float lanes), I (32-bit integers), M (a mask),
-/// and static functions:
-///
-///     F set(float), load(const float*); void store(float*, F); float sum(F);
-///     F add, sub, mul, div, min, max(F, F); fma(F a, F b, F c);  // a b + c; max(NaN, b) = b
-///     F abs(F), inverse_sqrt(F);                                 // the latter to about float precision
-///     M less(F, F), not_less(F, F);                              // false for NaN
-///     M both(M, M), either(M, M), without(M a, M b); F keep(M, F); int count(M);  // a and not b; f or zero
-///     M zero_bytes(const unsigned char*);                        // of W bytes
-///     void store_bits(unsigned char*, M bit0, M bit1, M bit2);   // W bytes
-///     I seti(int), to_int(F), addi, muli, mini(I, I); F to_float(I);  // to_int truncates
-///     F byte<k>(I); F gather(const float*, I bytes);             // byte k as a number; at a byte offset
-///     I gather4(const unsigned char*, I); M nonzero_byte(const unsigned char*, I, int bytes);
+/// Residuals and Jacobians of blocks of points over a vector of V::W lanes, see impl/kernels_of.hpp;
+/// impl/photometric_sums.hpp adds them up.
 
 namespace dot::kernel {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
-#include "dot/align/kernel.hpp"
+#include "dot/align/kernel_reduction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "dot/align/dispatch.hpp"
-#include "dot/align/kernel_reduction.hpp"
 #include "dot/camera/radtan.hpp"
+#include "dot/kernel/dispatch.hpp"
+#include "support/kernel_variants.hpp"
 #include "support/random.hpp"
 
 /// @file
@@ -34,16 +34,9 @@ using dot::ResidualNoise;
 using dot::SE3d;
 using dot::SerialReduction;
 using dot::Vector3;
+using dot::test::kernel_variants;
 using dot::test::Random;
 namespace kernel = dot::kernel;
-
-std::vector<const kernel::Kernels*> variants() {
-  static constexpr kernel::Kernels scalar = kernel::kernels_of<dot::ScalarLanes>("scalar");
-  std::vector<const kernel::Kernels*> found{&scalar, &dot::portable_kernels()};
-  for (const KernelVariant v : {KernelVariant::Avx2, KernelVariant::Avx512})
-    if (const kernel::Kernels* k = dot::find_kernels(v)) found.push_back(k);
-  return found;
-}
 
 const dot::Pinhole camera({140, 135, 79.2, 58.7, 160, 120, 0});
 const SE3d motion = SE3d::exp((dot::Vector6<double>() << 0.1, -0.05, 0.2, 0.02, -0.05, 0.03).finished());
@@ -152,7 +145,7 @@ void compare(const PointSet& points, const AlignState& state, const DepthTerm& d
   const NormalEquations sums =
       SerialReduction::linearize(points, 0, camera, image, state, model, depth, excluded.data(), centre);
   if (seen) *seen = static_cast<std::size_t>(sums.seen);
-  for (const kernel::Kernels* k : variants()) {
+  for (const kernel::Kernels* k : kernel_variants()) {
     const KernelReduction reduction{k};
     PointResiduals got;
     reduction.residuals(points, 0, camera, image, state, model, depth, got);
@@ -225,7 +218,7 @@ TEST(Kernel, PoseAloneIsTheBlockOfAll) {
   const Image<std::uint8_t> image = texture(160, 120);
   const PointSet points = random_points(2000, 11);
   const Measured measured(11);
-  for (const kernel::Kernels* k : variants())
+  for (const kernel::Kernels* k : kernel_variants())
     for (const DepthTerm& term : {DepthTerm{}, measured.term}) {
       kernel::Depth depth;
       const kernel::Input in =
@@ -264,7 +257,7 @@ TEST(Kernel, WhatIsNotSeenAddsNothing) {
     copy(3e38f, y, q, 1);
     copy(-1e30f, 1e30f, 0, kNaN);
   }
-  for (const kernel::Kernels* k : variants())
+  for (const kernel::Kernels* k : kernel_variants())
     for (const DepthTerm& term : {DepthTerm{}, measured.term}) {
       const KernelReduction reduction{k};
       const AlignState state{motion, 1, 0};
@@ -285,7 +278,7 @@ TEST(Kernel, WhatIsNotSeenAddsNothing) {
 
 TEST(Kernel, ImagesTooSmallToSampleShowNothing) {
   const PointSet points = random_points(50, 13);
-  for (const kernel::Kernels* k : variants())
+  for (const kernel::Kernels* k : kernel_variants())
     for (const int size : {1, 3, 4, 5}) {
       const Image<std::uint8_t> image = texture(size, size);
       const KernelReduction reduction{k};
@@ -300,7 +293,7 @@ TEST(Kernel, ImagesTooSmallToSampleShowNothing) {
 TEST(Kernel, SumsAreTheSameEveryTime) {
   const Image<std::uint8_t> image = texture(160, 120);
   const PointSet points = random_points(2500, 14);
-  for (const kernel::Kernels* k : variants()) {
+  for (const kernel::Kernels* k : kernel_variants()) {
     const KernelReduction reduction{k};
     const auto once = [&] { return reduction.linearize(points, 0, camera, image, {motion, 1, 0}, noise, {}, nullptr); };
     const NormalEquations a = once(), b = once();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dot/align/impl/kernel_body.hpp"
-#include "dot/lanes.hpp"
+#include "dot/kernel/impl/kernels_of.hpp"
+#include "dot/kernel/lanes.hpp"
 
 DOT_BEGIN_NAMESPACE
 

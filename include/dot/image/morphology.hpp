@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "dot/image/image.hpp"
+
+namespace dot {
+
+/// The extreme of each square window of 2 kReach + 1 pixels, of its part inside the image: `pick` is std::max, a
+/// dilation, or std::min, an erosion. First along the rows, then across them; loops over a row become SIMD code.
+/// @param rows scratch. @param out of the size of `in`, which it may be.
+template <int kReach, typename T, typename Pick>
+void pick_in_windows(ImageView<const T> in, Pick&& pick, Image<T>& rows, ImageView<T> out) {
+  const int width = in.width, height = in.height;
+  rows.resize(width, height);
+  for (int y = 0; y < height; ++y) {
+    const T* from = in.row(y);
+    T* to = rows.row(y);
+    const auto at_border = [&](int x) {
+      T best = from[x];
+      for (int i = std::max(x - kReach, 0); i <= std::min(x + kReach, width - 1); ++i) best = pick(best, from[i]);
+      to[x] = best;
+    };
+    const int inner_end = std::max(width - kReach, kReach);
+    for (int x = 0; x < std::min(kReach, width); ++x) at_border(x);
+    for (int x = kReach; x < inner_end; ++x) {
+      T best = from[x - kReach];
+      for (int i = 1 - kReach; i <= kReach; ++i) best = pick(best, from[x + i]);
+      to[x] = best;
+    }
+    for (int x = inner_end; x < width; ++x) at_border(x);
+  }
+  for (int y = 0; y < height; ++y) {
+    const T* from[2 * kReach + 1];  // beyond the border the outermost row again, which changes nothing
+    for (int i = -kReach; i <= kReach; ++i) from[i + kReach] = rows.row(std::clamp(y + i, 0, height - 1));
+    T* to = out.row(y);
+    for (int x = 0; x < width; ++x) {
+      T best = from[0][x];
+      for (int i = 1; i <= 2 * kReach; ++i) best = pick(best, from[i][x]);
+      to[x] = best;
+    }
+  }
+}
+
+template <int kReach, typename T>
+void dilate(ImageView<const T> in, Image<T>& rows, ImageView<T> out) {
+  pick_in_windows<kReach>(
+      in, [](T a, T b) { return a > b ? a : b; }, rows, out);
+}
+
+template <int kReach, typename T>
+void erode(ImageView<const T> in, Image<T>& rows, ImageView<T> out) {
+  pick_in_windows<kReach>(
+      in, [](T a, T b) { return a < b ? a : b; }, rows, out);
+}
+
+}  // namespace dot

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace dot {
+
+/// For which machine the kernels are, see kernel/dispatch.hpp.
+enum class KernelVariant { Auto, Portable, Avx2, Avx512 };
+
+/// Whose gradients the derivatives of the residual take.
+enum class GradientSource {
+  Image,      ///< the new image's at the moved point: forward, the paper's
+  Reference,  ///< the reference's, sampled once: the idea of inverse composition (Baker and Matthews 2004)
+  Mean        ///< of both: efficient second-order minimisation (Malis 2004)
+};
+
+}  // namespace dot

@@ -3,6 +3,7 @@
 #include "dot/tracker.hpp"
 
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 #include "dot/dot.hpp"
@@ -55,6 +56,7 @@ void Tracker::submit_masks(std::uint64_t frame_id, const Masks& masks) {
   impl_->pipeline.submit_masks(frame_id, masks);
 }
 void Tracker::reset() { impl_->pipeline.reset(); }
+void Tracker::set_pool(ThreadPool pool) { impl_->pipeline.threads.pool = std::move(pool); }
 const Options& Tracker::options() const { return impl_->pipeline.options(); }
 
 }  // namespace dot

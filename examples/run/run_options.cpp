@@ -20,7 +20,7 @@ const char* const run_options_usage =
   --always-dynamic CLASS,...
                             classes of the masks' csv files that always count as moving
   --discover                look for moving things that no mask shows
-  --threads N               threads of OpenCV (default 1)
+  --threads N               threads, of OpenCV's pool (default 1)
 )";
 
 void add_run_options(CommandLine& line, RunOptions& options) {
@@ -47,6 +47,7 @@ dot::Options tracker_options(const RunOptions& options, dot::DepthSource source)
   if (!options.config.empty()) read_config(options.config, settings);
   if (options.classifier) settings.classifier = *options.classifier;
   if (options.discover) settings.discover_unknown = true;
+  if (options.threads != 1) settings.threads = options.threads;
   return settings;
 }
 

@@ -17,7 +17,7 @@ struct RunOptions {
   std::filesystem::path config;
   std::optional<dot::ClassifierKind> classifier;
   bool discover = false;  ///< look for moving things that no mask shows
-  int threads = 1;        ///< of OpenCV
+  int threads = 1;        ///< of OpenCV's pool
 };
 
 /// Lines of `--help` for these options.

@@ -10,6 +10,7 @@
 #include "dot/pipeline/frame.hpp"
 #include "dot/pipeline/options.hpp"
 #include "dot/pipeline/result.hpp"
+#include "dot/pipeline/thread_pool.hpp"
 
 namespace dot {
 
@@ -40,6 +41,9 @@ class DOT_EXPORT Tracker {
 
   /// Forgets all frames and objects; keeps buffers and never reuses an id.
   void reset();
+
+  /// Lends the host's threads, of which Options::threads are used; without, and for an empty pool, they are OpenCV's.
+  void set_pool(ThreadPool pool);
 
   const Options& options() const;
 

@@ -153,6 +153,7 @@ struct DirectAligner {
   /// Robust sigma_I of a level at a pose: the value at which the median normalised residual is that of a normal.
   template <typename Camera>
   double intensity_sigma(const AlignProblem<Camera>& problem, const AlignState& state, int level) {
+    excluded_.clear();
     residuals(problem, level, state, 1);
     return scale_of_residuals();
   }
@@ -161,7 +162,6 @@ struct DirectAligner {
   template <typename Camera>
   AlignState photometry(const AlignProblem<Camera>& problem, const SE3d& T) {
     AlignState state{T};
-    excluded_.clear();
     for (int pass = 0; pass < 3; ++pass) {
       const double limit = pass == 0 ? 1e9 : 2 * intensity_sigma(problem, state, 0);
       residuals(problem, 0, state, 1);

@@ -22,6 +22,7 @@
 #include "dot/pipeline/frame_history.hpp"
 #include "dot/pipeline/options.hpp"
 #include "dot/pipeline/recycling_list.hpp"
+#include "dot/pipeline/threads.hpp"
 #include "dot/pipeline/track.hpp"
 #include "dot/pipeline/validate.hpp"
 #include "dot/points/select_object.hpp"
@@ -58,6 +59,8 @@ class Dot {
   Aligner aligner;
   CameraMotionEstimator camera_estimator;
   ObjectMotionEstimator object_estimator;
+  Threads
+      threads;  ///< classifier, noise and estimators are called from them at the same time; each has its own aligner
 
   /// @throws std::invalid_argument naming the option that is out of range.
   explicit Dot(const Camera& camera, const Options& options = {});
@@ -120,11 +123,22 @@ class Dot {
     Vector3<double> centre = Vector3<double>::Zero();  ///< as `anchor` says
   };
 
+  /// What a thread works with.
+  struct Worker {
+    Aligner aligner;
+    MinimaWorkspace minima;
+    std::vector<SE3d> starts;
+    ObjectReference here;  ///< the object that `look_back` looks at
+    WarpWorkspace warp;
+    TemplateWorkspace outline;
+    SelectionWorkspace selection;
+  };
+
   void build(const Frame& frame);
   void camera_motion(const Frame& frame);
   void predict_tracks();
-  void predict(TrackT& t);
-  void warp_outline(TrackT& object, const SE3d& T_frame_outline, const Image<float>& inverse_depth);
+  void predict(TrackT& t, Worker& worker);
+  void warp_outline(TrackT& object, const SE3d& T_frame_outline, const Image<float>& inverse_depth, Worker& worker);
   void read_masks(const Masks& masks, const Image<float>& inverse_depth);
   void discover();
   Noise bounded_noise() const;
@@ -139,11 +153,12 @@ class Dot {
     return tracks_that([](const TrackT&) { return true; });
   }
   void associate();
-  void follow(TrackT& object);
+  static bool may_touch(const TrackT& a, const TrackT& b);
+  void follow(TrackT& object, Worker& worker);
   KnownVelocity known_velocity(const TrackT& object, const ObjectReference& r) const;
-  std::vector<SE3d>& starts(const TrackT& object, const ObjectReference& reference);
-  Vector3<double> anchor(const Mask& mask, const Image<float>& inverse_depth);
-  void advance(TrackT& object);
+  void set_starts(const TrackT& object, const ObjectReference& reference, std::vector<SE3d>& starts) const;
+  Vector3<double> anchor(const Mask& mask, const Image<float>& inverse_depth, Worker& worker) const;
+  void advance(TrackT& object, Worker& worker);
   void match(const std::vector<TrackT*>& tracks);
   void match(const std::vector<TrackT*>& tracks, bool discovered);
   void give(Observed& o, TrackT& t);
@@ -151,10 +166,11 @@ class Dot {
   void find_again();
   void follow_and_decide(std::vector<TrackT*>& tracks);
   void start_tracks();
-  void look_back(TrackT& object);
+  void look_back(TrackT& object, Worker& worker);
   void decide(TrackT& object, const Matrix3<double>& R_cur_fit, double dt);
   void place_masks();
-  void take_outline(TrackT& object, const Image<float>& inverse_depth);
+  void place(TrackT& object, Worker& worker);
+  void take_outline(TrackT& object, const Image<float>& inverse_depth, Worker& worker);
   std::vector<TrackT*>& far_to_near();
   void paint(const std::vector<TrackT*>& order, Image<std::uint32_t>& ids) const;
   void label();
@@ -166,13 +182,13 @@ class Dot {
     else
       return portable_kernels();
   }
-  Selector<Camera, Noise> selector(const Current& frame) {
-    return {
-        camera_,  depth_noise, frame.pyramid, frame.inverse_depth().view(), options_.selection, selection_workspace_,
-        kernels()};
+  Selector<Camera, Noise> selector(const Current& frame, Worker& worker) const {
+    return {camera_,          depth_noise, frame.pyramid, frame.inverse_depth().view(), options_.selection,
+            worker.selection, kernels()};
   }
   void make_references();
-  void add_reference(const Selector<Camera, Noise>& select, TrackT& object);
+  void add_background(Worker& worker);
+  void add_reference(TrackT& object, Worker& worker);
   Reason make_reference(const Selector<Camera, Noise>& select, const Mask& mask, const Vector3<double>& centre,
                         ObjectReference& r) const;
   void await_masks(const Frame& frame);
@@ -183,6 +199,7 @@ class Dot {
   void write_result(const Frame& frame);
   void take_time(Stage stage);
 
+  static constexpr int kReach = 32;                  ///< pixels that even a small object may move unexpectedly
   static constexpr double kMaxLearntScale = 3;       ///< of the shared depth noise, over its prior
   static constexpr int kMaxConfirmed = 5;            ///< fits that agree, beyond which no more are counted
   static constexpr float kSameSurface = 0.05f;       ///< relative difference of inverse depth
@@ -203,6 +220,7 @@ class Dot {
   PointSet fresh_;
   DepthLearning depth_learning_;
   Discovery<Camera, Noise> discovery_;
+  std::vector<Worker> workers_;  ///< one for each of the threads
   RecyclingList<TrackT> tracks_;
   RecyclingList<Observed> observed_;
   bool segmented_ = false;
@@ -210,24 +228,21 @@ class Dot {
   bool segmented_before_ = false;   ///< it is the previous frame, whose images it takes over with the next labels
   SE3d T_cur_segmented_;            ///< camera motion since
   FrameHistory<Past> history_;      ///< whose masks may still come
-  Image<std::uint8_t> nearer_;      ///< where objects nearer than the one being followed were found
+  Image<std::uint8_t> nearer_;      ///< where objects nearer than those being followed were found
+  std::vector<int> rounds_;         ///< in which the objects are followed
+  std::vector<TrackT*> at_once_;    ///< those of one round
 
   Image<std::uint8_t> labels_;
   Image<std::uint32_t> ids_;
   std::vector<ObjectResult> objects_;
   Result result_;
 
-  MinimaWorkspace minima_workspace_;
-  TemplateWorkspace template_workspace_;
-  WarpWorkspace warp_workspace_;
   GrowWorkspace grow_workspace_;
   SplitWorkspace split_workspace_;
-  SelectionWorkspace selection_workspace_;
   Image<std::uint8_t> blocked_;          ///< where nothing is to be discovered
   Image<std::uint8_t> background_mask_;  ///< 255: no object there nor near
   Image<std::uint8_t> mask_rows_;
-  std::vector<SE3d> camera_starts_, object_starts_;
-  ObjectReference here_;           ///< the object that `look_back` looks at
+  std::vector<SE3d> camera_starts_;
   std::vector<TrackT*> selected_;  ///< by `tracks_that`
   /// Buffers of what continues tracks by observed masks.
   struct {

@@ -23,7 +23,8 @@ struct Options {
   VelocitySettings velocity;
   EntropySettings entropy;
   MaskSettings mask;
-  double max_gap = 1.0;           ///< seconds between frames from which the references are dropped
+  double max_gap = 1.0;  ///< seconds between frames from which the references are dropped
+  int threads = 1;       ///< of OpenCV's pool or the host's that `track` uses at most; the results do not depend on it
   bool discover_unknown = false;  ///< look in the background for moving things that no mask shows
 };
 
@@ -108,6 +109,7 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(mask.depth_tolerance);
   DOT_OPTION(mask.min_pixels);
   DOT_OPTION(max_gap);
+  DOT_OPTION(threads);
   DOT_OPTION(discover_unknown);
 #undef DOT_OPTION
 }

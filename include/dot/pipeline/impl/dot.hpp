@@ -21,6 +21,7 @@ Dot<Camera, Classifier, Noise, Aligner>::Dot(const Camera& camera, const Options
   aligner.settings = options.align;
   camera_estimator.settings = options.camera;
   object_estimator = {options.object, options.motion_prior, options.velocity};
+  threads.count = options.threads;
   if constexpr (std::is_same_v<Classifier, EntropyClassifier>) {
     classifier.settings = options.entropy;
     classifier.literal = options.classifier == ClassifierKind::EntropyLiteral;
@@ -48,6 +49,8 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame) {
   validate(frame, camera_.width(), camera_.height(), has_previous_, current_.timestamp);
   clock_ = std::chrono::steady_clock::now();
+  while (workers_.size() < static_cast<std::size_t>(std::max(1, threads.count)))
+    workers_.push_back({aligner, {}, {}, {}, {}, {}, {}});
 
   build(frame);  // pyramid, inverse depth
   take_time(Stage::Image);
@@ -95,14 +98,18 @@ void Dot<Camera, Classifier, Noise, Aligner>::build(const Frame& frame) {
     for (TrackT& t : tracks_) t.references.clear(), t.no_reference = Reason::NoReference, t.has_motion = false;
   }
   current_.timestamp = frame.timestamp;
-  to_grey(frame.image, current_.grey);
-  current_.pyramid.build(
-      current_.grey.view(),
-      pyramid_levels(frame.image.width, frame.image.height, std::min(options_.align.max_levels, PointSet::kMaxLevels)),
-      kernels());
-  current_.depth.levels.resize(current_.pyramid.levels.size());
-  to_inverse_depth(frame.depth, options_.selection.max_depth, current_.depth.levels[0], kernels());
-  current_.depth.build(current_.pyramid.size(), kernels());
+  const int levels =
+      pyramid_levels(frame.image.width, frame.image.height, std::min(options_.align.max_levels, PointSet::kMaxLevels));
+  threads.run(2, [&](int, int part) {
+    if (part == 0) {
+      to_grey(frame.image, current_.grey);
+      current_.pyramid.build(current_.grey.view(), levels, kernels());
+    } else {
+      current_.depth.levels.resize(static_cast<std::size_t>(levels));
+      to_inverse_depth(frame.depth, options_.selection.max_depth, current_.depth.levels[0], kernels());
+      current_.depth.build(levels, kernels());
+    }
+  });
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -125,15 +132,16 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
     c.status = CameraStatus::FromHost;
     c.T_cur_prev = SE3d::from_row_major(frame.camera_motion->T_cur_prev).normalized();
     c.covariance = Eigen::Map<const Matrix6<double>, Eigen::Unaligned>(frame.camera_motion->covariance.data());
-    c.alignment.state = aligner.photometry(AlignProblem<Camera>{background_, current_.pyramid, camera_},
-                                           c.T_cur_prev * T_cur_background_);
+    c.alignment.state = workers_[0].aligner.photometry(AlignProblem<Camera>{background_, current_.pyramid, camera_},
+                                                       c.T_cur_prev * T_cur_background_);
   } else if (background_.size() < options_.camera.min_points) {
     c.status = CameraStatus::TooLittleDepth;
   } else {
     const SE3d T_prev_background = T_cur_background_;
     for (SE3d& T : predicted) T = T * T_prev_background;
-    c.alignment = camera_estimator.estimate(background_, current_.pyramid, camera_, predicted, c.rate_known,
-                                            options_.camera.search_speed * current_.dt, aligner, minima_workspace_);
+    c.alignment =
+        camera_estimator.estimate(background_, current_.pyramid, camera_, predicted, c.rate_known,
+                                  options_.camera.search_speed * current_.dt, workers_[0].aligner, workers_[0].minima);
     const Alignment& a = c.alignment;
     const bool ok = camera_estimator.accepts(a, c.rate_known || frame.camera_prior.has_value());
     c.status = ok ? CameraStatus::Tracked : CameraStatus::Lost;
@@ -164,8 +172,19 @@ auto Dot<Camera, Classifier, Noise, Aligner>::tracks_that(Condition&& condition)
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
-  const Selector<Camera, Noise> select = selector(current_);
-  // Background: what no object covers, with a margin for ragged outlines.
+  if (options_.discover_unknown) discovery_.remember(ids_, current_.timestamp);
+  threads.run(1 + static_cast<int>(tracks_.size()), [this](int worker, int i) {
+    if (i == 0)
+      add_background(workers_[static_cast<std::size_t>(worker)]);
+    else
+      add_reference(tracks_[static_cast<std::size_t>(i - 1)], workers_[static_cast<std::size_t>(worker)]);
+  });
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::add_background(Worker& worker) {
+  const Selector<Camera, Noise> select = selector(current_, worker);
+  // What no object covers, with a margin for ragged outlines.
   const int width = ids_.width(), height = ids_.height();
   background_mask_.resize(width, height);
   for (int y = 0; y < height; ++y) {
@@ -176,7 +195,6 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
   erode<4>(std::as_const(background_mask_).view(), mask_rows_, background_mask_.view());
   if constexpr (std::is_same_v<Noise, DepthNoise>)
     depth_learning_.remember(camera_, current_.inverse_depth(), background_mask_, current_.timestamp);
-  if (options_.discover_unknown) discovery_.remember(ids_, current_.timestamp);
   fresh_.clear();
   const SelectionSettings& s = options_.selection;
   select({{0, 0, camera_.width(), camera_.height()},
@@ -194,18 +212,16 @@ void Dot<Camera, Classifier, Noise, Aligner>::make_references() {
     std::swap(background_, fresh_);
     T_cur_background_ = {};
   }
-
-  for (TrackT& object : tracks_) add_reference(select, object);
 }
 
 /// The object as its mask shows it in this frame.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::add_reference(const Selector<Camera, Noise>& select, TrackT& object) {
+void Dot<Camera, Classifier, Noise, Aligner>::add_reference(TrackT& object, Worker& worker) {
   while (!object.references.empty() &&
          current_.timestamp - object.references.back().timestamp > options_.object.reference_seconds + 1e-6)
     object.references.pop_back();
   if (stands(object)) return;
-  const Vector3<double> centre = anchor(object.mask, current_.inverse_depth());
+  const Vector3<double> centre = anchor(object.mask, current_.inverse_depth(), worker);
   if (object.visible && centre.z() > 0) {
     // What is half hidden shows a part that is not its middle: then the middle is where its motion carried it.
     const double size = std::sqrt(1.0 * object.mask.area) * centre.z() / camera_.intrinsics().fx;
@@ -214,7 +230,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::add_reference(const Selector<Camer
   }
   ObjectReference& r = object.references.push_front();
   r.restart(current_.timestamp);
-  const Reason reason = object.visible ? make_reference(select, object.mask, centre, r) : Reason::Hidden;
+  const Reason reason =
+      object.visible ? make_reference(selector(current_, worker), object.mask, centre, r) : Reason::Hidden;
   if (reason == Reason::None) return;
   object.references.pop_front();
   object.no_reference = reason;

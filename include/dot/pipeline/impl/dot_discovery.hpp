@@ -44,7 +44,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::discover() {
   for (Mask& mask : discovery_.masks) {
     Observed& o = observe();
     std::swap(o.mask, mask);
-    o.centre = anchor(o.mask, current_.inverse_depth());
+    o.centre = anchor(o.mask, current_.inverse_depth(), workers_[0]);
     o.discovered = true;
   }
 }

@@ -55,7 +55,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
     const SE3d T_then_cur = T_cur_then(t, then).inverse();
     t.observed = nullptr;
     t.position = T_then_cur * t.position;
-    warp_outline(t, T_then_cur * t.T_cur_outline, then.frame.inverse_depth());
+    warp_outline(t, T_then_cur * t.T_cur_outline, then.frame.inverse_depth(), workers_[0]);
   }
   observed_.clear();
   read_masks(masks, then.frame.inverse_depth());
@@ -96,7 +96,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::adopt(TrackT& object, const Past& 
     object.position = T * object.position;
     return;
   }
-  take_outline(object, then.frame.inverse_depth());
+  take_outline(object, then.frame.inverse_depth(), workers_[0]);
   object.T_cur_outline = T;
   object.outline_is_newest = then.camera_known;
   object.last_seen = std::max(object.last_seen, then.timestamp());
@@ -106,8 +106,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::adopt(TrackT& object, const Past& 
   renew_reference(object, then, *object.observed, object.observed_centre);
   for (const Past& p : history_) {
     if (p.timestamp() <= then.timestamp()) continue;
-    warp_outline(object, T_cur_then(object, p).inverse() * T, p.frame.inverse_depth());
-    renew_reference(object, p, object.predicted.mask, anchor(object.predicted.mask, p.frame.inverse_depth()));
+    warp_outline(object, T_cur_then(object, p).inverse() * T, p.frame.inverse_depth(), workers_[0]);
+    renew_reference(object, p, object.predicted.mask,
+                    anchor(object.predicted.mask, p.frame.inverse_depth(), workers_[0]));
   }
 }
 
@@ -117,7 +118,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::renew_reference(TrackT& object, co
                                                               const Vector3<double>& centre) {
   ObjectReference r = then.since;
   r.T_obj_cur_ref = T_cur_then(object, then);
-  if (make_reference(selector(then.frame), mask, centre, r) != Reason::None) return;
+  if (make_reference(selector(then.frame, workers_[0]), mask, centre, r) != Reason::None) return;
   RecyclingList<ObjectReference>& all = object.references;
   std::size_t place = 0;
   while (place < all.size() && all[place].timestamp > r.timestamp) ++place;
@@ -137,19 +138,19 @@ void Dot<Camera, Classifier, Noise, Aligner>::catch_up(std::vector<TrackT*>& sta
     const bool first = p.timestamp() == start;
     swap_in(p);
     if (!first) {
-      for (TrackT* t : started) predict(*t);
+      for (TrackT* t : started) predict(*t, workers_[0]);
       follow_and_decide(started);
     }
     for (TrackT* t : started) {
       if (first) {
-        take_outline(*t, current_.inverse_depth());
+        take_outline(*t, current_.inverse_depth(), workers_[0]);
         t->outline_is_newest = true;
       } else {
         t->mask = t->predicted.mask;
         t->visible = t->mask.area >= options_.mask.min_pixels;
       }
       if (first || (t->visible && t->fit.ok())) t->last_seen = current_.timestamp;
-      add_reference(selector(current_), *t);
+      add_reference(*t, workers_[0]);
       t->path.add(current_.timestamp, start);
     }
     swap_in(p);

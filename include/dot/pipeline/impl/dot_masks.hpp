@@ -22,11 +22,13 @@ void Dot<Camera, Classifier, Noise, Aligner>::predict_tracks() {
     p.since.advance(c.T_cur_prev, c.covariance, c.alignment.state.gain, c.alignment.state.offset);
     p.camera_known &= c.known();
   }
-  for (TrackT& t : tracks_) predict(t);
+  threads.run(static_cast<int>(tracks_.size()), [this](int worker, int i) {
+    predict(tracks_[static_cast<std::size_t>(i)], workers_[static_cast<std::size_t>(worker)]);
+  });
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::predict(TrackT& t) {
+void Dot<Camera, Classifier, Noise, Aligner>::predict(TrackT& t, Worker& worker) {
   const CameraState& c = camera_state_;
   t.segmented = false;
   t.observed = nullptr;
@@ -37,16 +39,15 @@ void Dot<Camera, Classifier, Noise, Aligner>::predict(TrackT& t) {
   t.position_before = t.position;
   t.position = c.T_cur_prev * t.T_o_predicted * t.position;
   const SE3d T = c.T_cur_prev * t.T_o_predicted * t.T_cur_outline;
-  warp_outline(t, T, current_.inverse_depth());
+  warp_outline(t, T, current_.inverse_depth(), worker);
   t.predicted_by = T;
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::warp_outline(TrackT& object, const SE3d& T_frame_outline,
-                                                           const Image<float>& inverse_depth) {
+                                                           const Image<float>& inverse_depth, Worker& worker) {
   const ImageView<const float> trim_by = object.outline.measured ? inverse_depth.view() : ImageView<const float>{};
-  warp(object.outline, T_frame_outline, camera_, trim_by, options_.mask.depth_tolerance, warp_workspace_,
-       object.predicted);
+  warp(object.outline, T_frame_outline, camera_, trim_by, options_.mask.depth_tolerance, worker.warp, object.predicted);
   object.predicted_by.reset();
 }
 
@@ -76,7 +77,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::read_masks(const Masks& masks, con
     o->always_dynamic = instance.always_dynamic;
   }
   observed_.drop_if([](const Observed& o) { return o.mask.empty(); });
-  for (Observed& o : observed_) o.centre = anchor(o.mask, inverse_depth);
+  for (Observed& o : observed_) o.centre = anchor(o.mask, inverse_depth, workers_[0]);
 }
 
 /// Another mask, to be filled in.
@@ -170,38 +171,44 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
   match(tracks_that([](const TrackT& t) { return !t.observed; }));
   find_again();
   start_tracks();
-  for (TrackT& t : tracks_) {
-    if (t.observed) {
-      if (t.references.empty() && !t.fit.ok()) look_back(t);
-      t.mask = *t.observed;
-      take_outline(t, current_.inverse_depth());
-      t.T_cur_outline = {};
-      t.outline_is_newest = true;
-      t.visible = true;
-    } else {
-      if (segmented_) t.outline_is_newest = false;
-      t.mask = t.predicted.mask;
-      t.visible = t.mask.area >= options_.mask.min_pixels;
-      // What the last segmentation should have shown and did not may be missed or gone; fits may have locked onto
-      // something else. It is carried on, but counts as seen only once a network shows it again.
-      if (t.visible && segmented_ && !t.discovered) t.contradicted = true;
-    }
-    const bool follows = t.discovered ? !t.candidate : !t.contradicted;
-    if (t.observed || (follows && t.visible && t.fit.ok())) t.last_seen = current_.timestamp;
-    if (!t.visible) t.fit.reason = t.fit.ok() ? Reason::Hidden : t.fit.reason;
-    const bool was_shown = !t.discovered || t.confirmed > 0 || stands(t);
-    if (t.lost || current_.timestamp - t.last_seen > (was_shown ? options_.mask.keep_seconds : kCandidateSeconds)) {
-      t.lost = true;
-      t.fit.reason = Reason::Lost;
-    }
+  threads.run(static_cast<int>(tracks_.size()), [this](int worker, int i) {
+    place(tracks_[static_cast<std::size_t>(i)], workers_[static_cast<std::size_t>(worker)]);
+  });
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::place(TrackT& t, Worker& worker) {
+  if (t.observed) {
+    if (t.references.empty() && !t.fit.ok()) look_back(t, worker);
+    t.mask = *t.observed;
+    take_outline(t, current_.inverse_depth(), worker);
+    t.T_cur_outline = {};
+    t.outline_is_newest = true;
+    t.visible = true;
+  } else {
+    if (segmented_) t.outline_is_newest = false;
+    t.mask = t.predicted.mask;
+    t.visible = t.mask.area >= options_.mask.min_pixels;
+    // What the last segmentation should have shown and did not may be missed or gone; fits may have locked onto
+    // something else. It is carried on, but counts as seen only once a network shows it again.
+    if (t.visible && segmented_ && !t.discovered) t.contradicted = true;
+  }
+  const bool follows = t.discovered ? !t.candidate : !t.contradicted;
+  if (t.observed || (follows && t.visible && t.fit.ok())) t.last_seen = current_.timestamp;
+  if (!t.visible) t.fit.reason = t.fit.ok() ? Reason::Hidden : t.fit.reason;
+  const bool was_shown = !t.discovered || t.confirmed > 0 || stands(t);
+  if (t.lost || current_.timestamp - t.last_seen > (was_shown ? options_.mask.keep_seconds : kCandidateSeconds)) {
+    t.lost = true;
+    t.fit.reason = Reason::Lost;
   }
 }
 
 /// Makes the observed mask the one that is carried on. @param inverse_depth of the mask's frame.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::take_outline(TrackT& object, const Image<float>& inverse_depth) {
+void Dot<Camera, Classifier, Noise, Aligner>::take_outline(TrackT& object, const Image<float>& inverse_depth,
+                                                           Worker& worker) {
   const double q = object.outline.median > 0 ? object.outline.median : 1 / options_.selection.max_depth;
-  if (!make_template(*object.observed, inverse_depth.view(), options_.mask.depth_tolerance, template_workspace_,
+  if (!make_template(*object.observed, inverse_depth.view(), options_.mask.depth_tolerance, worker.outline,
                      object.outline))
     make_flat_template(*object.observed, q, object.outline);
   object.contradicted = false;

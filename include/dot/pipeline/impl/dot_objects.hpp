@@ -22,20 +22,49 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow_and_decide(std::vector<Trac
   });
   nearer_.resize(camera_.width(), camera_.height());
   nearer_.fill(0);
-  for (TrackT* object : order) {
-    follow(*object);
-    decide(*object, camera_state_.T_cur_prev.R, current_.dt);
-    advance(*object);
-    const Mask& mask = object->observed ? *object->observed : object->predicted.mask;
-    if (object->candidate || (!object->fit.ok() && !object->observed)) continue;
-    mask.write(std::uint8_t{255}, nearer_);
+  const auto touches = [&](std::size_t nearer, std::size_t object) {
+    return may_touch(*order[nearer], *order[object]);
+  };
+  const int rounds = rounds_of(order.size(), touches, rounds_);
+  for (int round = 0; round < rounds; ++round) {
+    at_once_.clear();
+    for (std::size_t i = 0; i < order.size(); ++i)
+      if (rounds_[i] == round) at_once_.push_back(order[i]);
+    threads.run(static_cast<int>(at_once_.size()), [this](int k, int i) {
+      TrackT& object = *at_once_[static_cast<std::size_t>(i)];
+      Worker& worker = workers_[static_cast<std::size_t>(k)];
+      follow(object, worker);
+      decide(object, camera_state_.T_cur_prev.R, current_.dt);
+      advance(object, worker);
+    });
+    for (const TrackT* object : at_once_) {
+      const Mask& mask = object->observed ? *object->observed : object->predicted.mask;
+      if (object->candidate || (!object->fit.ok() && !object->observed)) continue;
+      mask.write(std::uint8_t{255}, nearer_);
+    }
   }
+}
+
+/// Whether one object may hide a part of the other, which therefore waits for it: their outlines, as predicted and as
+/// observed, with as much room around as they may move unexpectedly.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+bool Dot<Camera, Classifier, Noise, Aligner>::may_touch(const TrackT& a, const TrackT& b) {
+  const auto masks_of = [](const TrackT& t) { return std::array<const Mask*, 2>{&t.predicted.mask, t.observed}; };
+  for (const Mask* l : masks_of(a))
+    for (const Mask* r : masks_of(b)) {
+      if (!l || !r || l->empty() || r->empty()) continue;
+      const int margin = kReach + (std::max(l->width(), l->height()) + std::max(r->width(), r->height())) / 4;
+      if (l->x - margin < r->x + r->width() && r->x - margin < l->x + l->width() &&
+          l->y - margin < r->y + r->height() && r->y - margin < l->y + l->height())
+        return true;
+    }
+  return false;
 }
 
 /// T_o over the last interval, and the reference that tells most about the motion: a slow object shows only against an
 /// older frame.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
+void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object, Worker& worker) {
   object.fit = {};
   object.has_decisive = false;
   object.T_o = object.T_o_predicted;
@@ -57,11 +86,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
 
   const auto fit_to = [&](const ObjectReference& reference) {
     const double age = current_.timestamp - reference.timestamp;
-    std::vector<SE3d>& T_o = starts(object, reference);
+    set_starts(object, reference, worker.starts);
     if (!object.has_motion && &reference == &object.references.front())
-      object_estimator.search(reference, scene, age, noise, aligner, minima_workspace_, T_o);
-    return object_estimator.fit(reference, scene, T_o, known_velocity(object, reference), age, noise, aligner,
-                                minima_workspace_);
+      object_estimator.search(reference, scene, age, noise, worker.aligner, worker.minima, worker.starts);
+    return object_estimator.fit(reference, scene, worker.starts, known_velocity(object, reference), age, noise,
+                                worker.aligner, worker.minima);
   };
   const auto decide_by = [&](const ObjectReference& reference, const ObjectFit& fit) {
     const MotionEstimate& motion = fit.motion;
@@ -96,10 +125,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
     last = k;
     const ObjectReference& older = object.references[static_cast<std::size_t>(k)];
     const SE3d start = older.T_cur_ref.inverse() * T_c * object.T_o * older.T_obj_cur_ref;
-    object_starts_.assign(1, start);
+    worker.starts.assign(1, start);
     const ObjectFit long_fit =
-        object_estimator.fit(older, scene, object_starts_, known_velocity(object, older),
-                             current_.timestamp - older.timestamp, noise, aligner, minima_workspace_);
+        object_estimator.fit(older, scene, worker.starts, known_velocity(object, older),
+                             current_.timestamp - older.timestamp, noise, worker.aligner, worker.minima);
     if (!long_fit.ok()) continue;
     decide_by(older, long_fit);
     const ObjectFit shared =
@@ -111,21 +140,21 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object) {
 /// The motion of an object that no earlier mask shows, from this frame back to the one before: its masks begin here,
 /// its pixels mostly do not.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object) {
+void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object, Worker& worker) {
   if (!camera_state_.known()) return;
   const Current& before = history_.empty() ? previous_ : std::prev(history_.end())->frame;
   const SE3d T_prev_cur = camera_state_.T_cur_prev.inverse();
   const AlignState& change = camera_state_.alignment.state;
-  ObjectReference& r = here_;
+  ObjectReference& r = worker.here;
   r.restart(current_.timestamp);
-  if (make_reference(selector(current_), *object.observed, object.observed_centre, r) != Reason::None) return;
+  if (make_reference(selector(current_, worker), *object.observed, object.observed_centre, r) != Reason::None) return;
   r.advance(T_prev_cur, T_prev_cur.adjoint() * camera_state_.covariance * T_prev_cur.adjoint().transpose(),
             1 / change.gain, -change.offset / change.gain);
   const ObjectScene<Camera> scene{before.pyramid, camera_, before.depth, {}};
-  object_starts_.assign(1, SE3d{});
-  object_estimator.search(r, scene, current_.dt, depth_noise, aligner, minima_workspace_, object_starts_);
+  worker.starts.assign(1, SE3d{});
+  object_estimator.search(r, scene, current_.dt, depth_noise, worker.aligner, worker.minima, worker.starts);
   const ObjectFit fit =
-      object_estimator.fit(r, scene, object_starts_, {}, current_.dt, depth_noise, aligner, minima_workspace_);
+      object_estimator.fit(r, scene, worker.starts, {}, current_.dt, depth_noise, worker.aligner, worker.minima);
   if (!fit.ok()) return;
   object.fit = fit.reversed(T_prev_cur);
   object.T_o = object.fit.T_o;
@@ -153,9 +182,9 @@ KnownVelocity Dot<Camera, Classifier, Noise, Aligner>::known_velocity(const Trac
 /// Where the alignment begins, the most trusted first: as predicted, standing still, moving as in the interval before,
 /// and where a network mask shows it.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-std::vector<SE3d>& Dot<Camera, Classifier, Noise, Aligner>::starts(const TrackT& object, const ObjectReference& r) {
+void Dot<Camera, Classifier, Noise, Aligner>::set_starts(const TrackT& object, const ObjectReference& r,
+                                                         std::vector<SE3d>& out) const {
   const SE3d& T_c = camera_state_.T_cur_prev;
-  std::vector<SE3d>& out = object_starts_;
   out.clear();
   const double focal = camera_.intrinsics().fx;
   const auto add = [&](const SE3d& T_o) {
@@ -183,13 +212,13 @@ std::vector<SE3d>& Dot<Camera, Classifier, Noise, Aligner>::starts(const TrackT&
   else
     for (const Observed& o : observed_)
       if (!o.track && o.discovered == object.discovered) add_observed(o.mask, o.centre);
-  return out;
 }
 
 /// Centre of a mask at its median depth, axes of its frame's camera; zero where it has no depth.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask, const Image<float>& inverse_depth) {
-  std::vector<float>& q = selection_workspace_.values;
+Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask, const Image<float>& inverse_depth,
+                                                                Worker& worker) const {
+  std::vector<float>& q = worker.selection.values;
   q.clear();
   double u = 0, v = 0;
   int n = 0;
@@ -232,7 +261,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object, const Matri
 /// Carries outline and references into this frame: standing things by T_c alone, so that their outline does not drift
 /// with the noise of the fits.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object) {
+void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object, Worker& worker) {
   const SE3d& T_c = camera_state_.T_cur_prev;
   const bool fitted = object.fit.ok();
   for (ObjectReference& r : object.references) r.T_obj_cur_ref = T_c * object.T_o * r.T_obj_cur_ref;
@@ -248,7 +277,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object) {
   const auto& predicted_by = object.predicted_by;
   const bool same =
       predicted_by && predicted_by->R == object.T_cur_outline.R && predicted_by->t == object.T_cur_outline.t;
-  if (!same) warp_outline(object, object.T_cur_outline, current_.inverse_depth());
+  if (!same) warp_outline(object, object.T_cur_outline, current_.inverse_depth(), worker);
 }
 
 DOT_END_NAMESPACE

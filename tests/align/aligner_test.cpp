@@ -203,6 +203,20 @@ TEST(AlignCamera, FinishRejectsOutliers) {
   EXPECT_NEAR(a.state.gain, 1, 0.02);
 }
 
+// Outliers of one alignment are none of the next one's business.
+TEST(AlignCamera, TheScaleDoesNotRememberOutliers) {
+  Pair pair(motion(0.05, -0.03, -0.1, 0.01, -0.02, 0.03));
+  Random random(32);
+  for (std::size_t i = 0; i < pair.points.u.size(); i += 5)
+    for (int l = 0; l < kLevels; ++l)
+      pair.points.intensity[static_cast<std::size_t>(l)][i] = static_cast<float>(random.uniform(20, 235));
+  DirectAligner<> used, fresh;
+  Alignment a = used.align(pair.problem(), {SE3d{}}, kLevels - 1);
+  used.finish(pair.problem(), a);
+  ASSERT_LT(a.inliers, a.seen);
+  EXPECT_EQ(used.intensity_sigma(pair.problem(), a.state, 0), fresh.intensity_sigma(pair.problem(), a.state, 0));
+}
+
 TEST(AlignCamera, TukeyRanksTheMajorityFirstWhereHuberIsCaptured) {
   // A weakly textured room, and in it a small high-contrast thing that turns about the camera: to its points the
   // camera seems to have turned.

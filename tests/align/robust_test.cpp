@@ -53,6 +53,23 @@ TEST(Tukey, IsQuadraticThenConstant) {
   }
 }
 
+TEST(Tukey, TheSumIsThatOfTheCosts) {
+  Random random(9);
+  for (const std::size_t n : {0, 1, 3, 4, 5, 17, 255, 256, 257, 3001}) {
+    std::vector<float> r(n), extra(n);
+    double with = 0, without = 0;
+    const float s2 = 2.5f;
+    for (std::size_t i = 0; i < n; ++i) {
+      r[i] = i % 7 == 0 ? 0 : static_cast<float>(random.normal(6));
+      extra[i] = static_cast<float>(random.uniform(0, 4));
+      with += static_cast<double>(tukey_cost(r[i] / std::sqrt(s2 + extra[i]), c));
+      without += static_cast<double>(tukey_cost(r[i] / std::sqrt(s2), c));
+    }
+    EXPECT_NEAR(dot::tukey_cost_sum(r.data(), extra.data(), n, s2, c), with, 1e-5 * (1 + with)) << n;
+    EXPECT_NEAR(dot::tukey_cost_sum(r.data(), nullptr, n, s2, c), without, 1e-5 * (1 + without)) << n;
+  }
+}
+
 TEST(Tukey, SlopeRedescends) {
   const float h = 1e-2f;
   for (float e = -7; e < 7; e += 0.31f) {

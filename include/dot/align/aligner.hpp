@@ -212,9 +212,7 @@ struct DirectAligner {
       const float s2 = static_cast<float>(sigma * sigma);
       scratch_.resize(n);
       for (std::size_t i = 0; i < n; ++i) scratch_[i] = squares_[i] / (s2 + extra_[i]);
-      const double before = sigma;
       sigma = std::max(settings.min_intensity_sigma, sigma * sigma_of_median_square());
-      if (std::abs(sigma - before) < kSameScale * before) break;
     }
     return sigma;
   }

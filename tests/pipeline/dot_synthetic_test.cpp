@@ -68,7 +68,7 @@ struct CameraCase {
 
 class CameraMotion : public testing::TestWithParam<CameraCase> {};
 
-// Bounds: 3000 points of a gradient of about 4 grey values a pixel. Without noise the error is that of interpolation, a
+// Bounds: 2000 points of a gradient of about 4 grey values a pixel. Without noise the error is that of interpolation, a
 // hundredth of a pixel or 0.4 mm at 8 m, and a few times that along the line of sight. With 4 grey values of noise a
 // point knows its place to a pixel, all of them to 0.02 px, 0.8 mm, if the six directions were independent; shifts and
 // turns are not, so again several times that.

@@ -311,7 +311,7 @@ typedef void (*dot_log_function)(void* user, uint32_t level, const char* text);
 #define DOT_CAMERA_INIT \
   { sizeof(dot_camera), 0, 0, 0, 0, 0, 0, 0, 0 }
 #define DOT_OPTIONS_INIT \
-  { sizeof(dot_options), DOT_CLASSIFIER_VELOCITY, DOT_DEPTH_UNKNOWN, 3000, 300, 0, 0, 0.5, 0.3 }
+  { sizeof(dot_options), DOT_CLASSIFIER_VELOCITY, DOT_DEPTH_UNKNOWN, 2000, 300, 0, 0, 0.5, 0.3 }
 #define DOT_INSTANCE_INIT \
   { sizeof(dot_instance), 0, 0, 0, 0, -1, 1, 0, 0 }
 #define DOT_MASKS_INIT \

@@ -6,7 +6,7 @@ namespace dot {
 
 /// Which pixels of a frame become points.
 struct SelectionSettings {
-  int background_points = 3000;  ///< budget for the background of one frame
+  int background_points = 2000;  ///< budget for the background of one frame
   int object_points = 300;       ///< budget for one object
   int min_object_pixels = 60;    ///< smaller masks get no points
   double min_gradient = 2.5;     ///< grey values per pixel, background

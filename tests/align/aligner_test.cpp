@@ -244,6 +244,15 @@ TEST(AlignCamera, TukeyRanksTheMajorityFirstWhereHuberIsCaptured) {
   EXPECT_LT(tukey(SE3d{}), 0.8 * tukey(turn));
 }
 
+// What the coarse levels saw must not pass for what the finest one sees.
+TEST(AlignCamera, SeenAreThePointsOfTheFinestLevel) {
+  Pair pair{SE3d{}};
+  DirectAligner<> aligner;
+  EXPECT_GT(aligner.align(pair.problem(), {}, kLevels - 1).seen, 100);
+  pair.image.levels[0].resize(4, 4);  // too small to sample
+  EXPECT_EQ(aligner.align(pair.problem(), {}, kLevels - 1).seen, 0);
+}
+
 TEST(AlignCamera, RankOfWhatNobodySeesIsInfinite) {
   const Pair pair{SE3d{}};
   DirectAligner<> aligner;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -256,6 +257,28 @@ TEST(LateMasks, OfTheNewestFrameAreAsThoseInTime) {
       EXPECT_NEAR(a->velocity[0], b->velocity[0], 0.03);
       EXPECT_NEAR(iou(film, expected, body), iou(film, result, body), 0.01);
     }
+  }
+}
+
+// What the next frame shows for the first time is looked for in the frame whose masks were the late ones.
+TEST(LateMasks, OfTheNewestFrameLeaveItsImages) {
+  Film<> film = street();
+  Tracker tracker(small_camera());
+  for (int i = 0; i < 5; ++i) {
+    Frame frame = film.advance();
+    if (i < 4) frame.masks.reset();
+    const Result& result = tracker.track(frame);
+    if (i == 3) {
+      Image<std::uint32_t> ids = film.seen().ids;
+      for (int y = 0; y < ids.height(); ++y) std::replace(ids.row(y), ids.row(y) + ids.width(), mover, 0u);
+      LateNetwork::submit(tracker, frame.id, ids);
+    }
+    if (i < 4) continue;
+    const ObjectResult* o = object_on(result, film.truth().ids, mover);
+    ASSERT_TRUE(o);
+    EXPECT_EQ(o->reason, dot::Reason::None) << describe(o);
+    EXPECT_EQ(o->state, State::Moving) << describe(o);
+    EXPECT_NEAR(o->velocity[0], 3, 0.3) << describe(o);
   }
 }
 

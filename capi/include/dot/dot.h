@@ -88,7 +88,7 @@ enum {
 /// Why an object has no motion estimate in this frame (or was dropped after it).
 enum {
   DOT_REASON_NONE = 0,  ///< it has one
-  DOT_REASON_NEW = 1,   ///< first seen in this frame: a motion needs two
+  DOT_REASON_NEW = 1,   ///< first seen in this frame, and the frame before tells no motion
   DOT_REASON_NO_REFERENCE = 2,
   DOT_REASON_TOO_FEW_PIXELS = 3,
   DOT_REASON_TOO_LITTLE_DEPTH = 4,

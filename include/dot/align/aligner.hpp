@@ -229,7 +229,7 @@ struct DirectAligner {
     for (const int k : {0, 3}) g.segment<3>(k) = (R.transpose() * g.segment<3>(k)).eval();
   }
 
-  /// Gauss-Newton on one level, twice on level 0: the residual scale follows the first convergence.
+  /// Gauss-Newton on one level, on level 0 again where the first round changed the residual scale or did not converge.
   template <typename Camera>
   void refine(const AlignProblem<Camera>& problem, int level, Alignment& a, bool want_covariance) {
     const Camera camera = problem.camera.at_level(level);
@@ -238,11 +238,12 @@ struct DirectAligner {
     std::optional<Eigen::LDLT<Matrix8>> last;  // of the last pose that was accepted
     std::array<Vector8, 4> modes;
     Matrix3<double> modes_R;
+    a.seen = 0;
     for (int round = 0; round < 2; ++round) {
       const double scale_before = a.sigma_intensity;
       residuals(problem, level, a.state, a.sigma_intensity);
       a.sigma_intensity = scale_of_residuals();
-      if (round > 0 && std::abs(a.sigma_intensity - scale_before) < kSameScale * scale_before) break;
+      if (round > 0 && a.converged && std::abs(a.sigma_intensity - scale_before) < kSameScale * scale_before) break;
       const ResidualNoise noise = residual_noise(a.sigma_intensity);
       AlignState accepted = a.state;
       double accepted_cost = std::numeric_limits<double>::infinity();

@@ -26,8 +26,8 @@ struct AssociationWorkspace {
 };
 
 /// Which predicted outline each observed one continues: the assignment that minimises the sum of 1 - IoU, over pairs
-/// with IoU >= min_iou, or of which one covers min_containment of the smaller (a mask split, merged or half occluded)
-/// and the other is not many times as large, IoU >= min_iou / 2: then it has merely come to lie over it.
+/// with IoU >= min_iou, or with IoU >= min_iou / 2 of which one covers min_containment of the smaller (a mask split,
+/// merged or half occluded). With less, one is many times as large and has merely come to lie over the other.
 /// Where the two overlap poorly, IoU < 2 min_iou, and one is more than twice as far as the other, one passes behind the
 /// other. (Depth under a ragged mask may be its neighbour's: it does not break up what overlaps well.)
 ///

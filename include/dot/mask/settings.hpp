@@ -7,7 +7,7 @@ namespace dot {
 /// Association, propagation and labels.
 struct MaskSettings {
   double min_iou = 0.2;          ///< an instance continues a track from this overlap on ...
-  double min_containment = 0.7;  ///< ... or when this share of the smaller of the two is covered
+  double min_containment = 0.7;  ///< ... or from half of it on, when this share of the smaller of the two is covered
   double keep_seconds = 1.0;     ///< a track without mask and motion lives this long
   double late_seconds = 1.0;     ///< masks are awaited this long, at 7 bytes a pixel for each frame; 0: not at all
   double depth_tolerance = 0.3;  ///< relative: predicted mask pixels whose measured depth differs more are trimmed

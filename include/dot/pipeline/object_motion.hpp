@@ -22,7 +22,7 @@ struct ObjectReference {
   PointSet points;
   Vector3<double> centroid = Vector3<double>::Zero();  ///< of the points, camera axes of that frame, metres
   Vector3<double> anchor = Vector3<double>::Zero();    ///< centre of its mask at its median depth; zero: no depth
-  int area = 0;                                        ///< pixels of its mask
+  int area = 0;                                        ///< pixels of its mask with its depth
   double timestamp = 0;                                ///< seconds
   int intervals = 0;                                   ///< frames since
   SE3d T_cur_ref;                                      ///< camera motion since then

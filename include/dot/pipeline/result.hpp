@@ -17,7 +17,7 @@ namespace dot {
 /// Why an object has no motion estimate in this frame (or was dropped after it).
 enum class Reason : std::uint8_t {
   None,              ///< it has one
-  New,               ///< first seen in this frame: a motion needs two
+  New,               ///< first seen in this frame, and the frame before tells no motion
   NoReference,       ///< the frames before this one were dropped (gap in time, or reset)
   TooFewPixels,      ///< its mask is too small
   TooLittleDepth,    ///< its mask has too little valid depth

@@ -69,7 +69,6 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
     t.visible = t.observed || t.mask.area >= options_.mask.min_pixels;
   }
   paint(far_to_near(), segmented_frame_.ids);
-  segmented_before_ = false;
   segmented_frame_.inverse_depth = then.frame.inverse_depth();
   T_cur_segmented_ = then.since.T_cur_ref;
 
@@ -77,6 +76,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
   for (std::size_t i = 0; i < known; ++i) adopt(*started[i], then);
   started.erase(started.begin(), started.begin() + static_cast<std::ptrdiff_t>(known));
   if (!started.empty()) catch_up(started, then.timestamp());
+  if (then.timestamp() == current_.timestamp) {  // the newest, which the next frame needs
+    std::swap(then.frame.pyramid, current_.pyramid);
+    std::swap(then.frame.depth, current_.depth);
+  }
   history_.drop_before(then.timestamp() + 1e-9);
 }
 

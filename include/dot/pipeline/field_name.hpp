@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <string>
 
-namespace dot {
+#include "dot/abi.hpp"
+
+DOT_BEGIN_NAMESPACE
 
 /// Name of a field that a message tells: `field`, `field.instances[i]`, or a member of either. Put together only where
 /// something is wrong, so that what is right takes no memory.
@@ -25,4 +27,4 @@ struct FieldName {
 
 inline std::string operator+(const FieldName& name, const char* more) { return std::string(name) + more; }
 
-}  // namespace dot
+DOT_END_NAMESPACE

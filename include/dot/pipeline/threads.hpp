@@ -10,9 +10,10 @@
 
 #include <opencv2/core/utility.hpp>
 
+#include "dot/abi.hpp"
 #include "dot/pipeline/thread_pool.hpp"
 
-namespace dot {
+DOT_BEGIN_NAMESPACE
 
 /// Does independent pieces of work on several threads. How many there are never shows in a result: each piece writes to
 /// places of its own, and what depends on others' results comes in a later `run`.
@@ -60,4 +61,4 @@ int rounds_of(std::size_t n, Touches&& touches, std::vector<int>& rounds) {
   return count;
 }
 
-}  // namespace dot
+DOT_END_NAMESPACE

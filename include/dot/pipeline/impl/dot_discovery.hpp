@@ -87,7 +87,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::confirm(TrackT& object) {
     const Vector3<double> d = m.velocity - object.velocity;
     agrees = d.dot((m.covariance + object.velocity_covariance).ldlt().solve(d)) < chi2;
     SingleFrameClassifier::Memory none;
-    agrees = agrees &&
+    agrees = agrees && object.has_decisive &&
              SingleFrameClassifier{options_.velocity}(none, &object.decisive, Matrix3<double>::Identity(), current_.dt)
                      .state == State::Moving;
   }

@@ -15,7 +15,8 @@
 ///     Decision operator()(Memory&, const MotionEstimate* fit, const Matrix3<double>& R_cur_prev, double dt) const;
 ///
 /// called once a frame for each object, with null where there was no fit. Velocities of the fit are in the previous
-/// camera's axes, those of the decision in the current one's.
+/// camera's axes, those of the decision in the current one's. An object that its first mask shows now is fitted to the
+/// frame before and classified with that in the current camera's axes: R_cur_prev = 1 and dt = 0.
 
 DOT_BEGIN_NAMESPACE
 

@@ -59,8 +59,7 @@ class Dot {
   Aligner aligner;
   CameraMotionEstimator camera_estimator;
   ObjectMotionEstimator object_estimator;
-  Threads
-      threads;  ///< classifier, noise and estimators are called from them at the same time; each has its own aligner
+  Threads threads;  ///< they call the policies at the same time, each with a copy of the aligner
 
   /// @throws std::invalid_argument naming the option that is out of range.
   explicit Dot(const Camera& camera, const Options& options = {});

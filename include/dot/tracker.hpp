@@ -28,6 +28,7 @@ class DOT_EXPORT Tracker {
 
   /// Labels the objects of one frame. The result is valid until the next call on this tracker.
   /// @throws std::invalid_argument naming the bad field of `frame`; the tracker is then as it was before.
+  /// @throws std::bad_alloc, or what a host's pool throws; everything is forgotten then, as by `reset`.
   const Result& track(const Frame& frame);
 
   /// Masks of an earlier frame, given to `track` without, that arrive only now: a network may take longer than a frame.
@@ -37,6 +38,7 @@ class DOT_EXPORT Tracker {
   /// @param frame_id Frame::id; the newest, if several frames have it.
   /// @throws std::invalid_argument naming the bad field, or frame_id when it is none of these frames; the tracker is
   /// then as it was before.
+  /// @throws std::bad_alloc, or what a host's pool throws; everything is forgotten then, as by `reset`.
   void submit_masks(std::uint64_t frame_id, const Masks& masks);
 
   /// Forgets all frames and objects; keeps buffers and never reuses an id.

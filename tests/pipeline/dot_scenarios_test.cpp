@@ -330,6 +330,36 @@ TEST(Occlusion, WhatPassesBehindSomethingKeepsIdAndState) {
   EXPECT_GT(came_out, 8);
 }
 
+// Glass and rain have no depth, which would tell what they hide; that a nearer object was found there does.
+TEST(Occlusion, IsToldByTheNearerObjectWhereThereIsNoDepth) {
+  Film<> film;
+  constexpr std::uint32_t near = 9;
+  film.add(parked, straight({-0.2, 1.3, 9}));
+  film.add(near, straight({-2.4, 1.2, 6}, {1.5, 0, 0}));
+  film.spoil = [](int i, Rendering& seen) {
+    for (int y = 0; i > 3 && y < seen.ids.height(); ++y)
+      for (int x = 0; x < seen.ids.width(); ++x)
+        if (seen.ids(x, y) == near) seen.depth(x, y) = 0;
+  };
+  Tracker tracker = make_tracker();
+  int half_hidden = 0, whole = 0;
+  for (int i = 0; i < 14; ++i) {
+    const Result& result = film.next(tracker);
+    int pixels = 0;
+    for (int y = 0; y < film.truth().ids.height(); ++y)
+      for (int x = 0; x < film.truth().ids.width(); ++x) pixels += film.truth().ids(x, y) == parked;
+    whole = std::max(whole, pixels);
+    if (i == 0 || pixels > 0.7 * whole || pixels < 0.25 * whole) continue;
+    ++half_hidden;
+    const ObjectResult* o = object_on(result, film.truth().ids, parked);
+    ASSERT_TRUE(o) << i;
+    EXPECT_EQ(o->reason, Reason::None) << i << ' ' << describe(o);
+    EXPECT_EQ(o->state, State::Static) << i << ' ' << describe(o);
+    EXPECT_LT(o->speed, 0.06) << i << ' ' << describe(o);
+  }
+  EXPECT_GE(half_hidden, 2);
+}
+
 // Algorithm 1 goes on with the next object where the paper breaks off.
 TEST(Failure, OfANearObjectLeavesTheFartherOnes) {
   Film<> film = street();

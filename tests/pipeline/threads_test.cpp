@@ -133,15 +133,35 @@ TEST(Threads, HowManyDoesNotShowInTheResult) {
   EXPECT_EQ(cv::getNumThreads(), before);
 }
 
-TEST(Threads, NoneIsRefused) {
-  dot::Options options;
-  options.threads = 0;
-  try {
-    Tracker tracker(small_camera(), options);
-    FAIL() << "accepted";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("threads"), std::string::npos) << error.what();
+TEST(Threads, NoneAndThousandsAreRefused) {
+  for (const int count : {0, -1, 257, 1000000}) {
+    dot::Options options;
+    options.threads = count;
+    try {
+      Tracker tracker(small_camera(), options);
+      FAIL() << count << " accepted";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find("options.threads"), std::string::npos) << error.what();
+    }
   }
+}
+
+// What a host's pool throws comes out of `track`, which goes on with the next frame once the pool does.
+TEST(Threads, APoolThatFailsLeavesTheTrackerUsable) {
+  Film<> film;
+  film.add(3, straight({-2, 1.3, 7}, {3, 0, 0}));
+  dot::Options options;
+  options.depth_noise.source = dot::DepthSource::Stereo;
+  options.threads = 2;
+  Tracker tracker(small_camera(), options);
+  film.next(tracker);
+  tracker.set_pool([](int, const std::function<void(int)>&) { throw std::runtime_error("no threads left"); });
+  EXPECT_THROW(film.next(tracker), std::runtime_error);
+  tracker.set_pool({});
+  const ObjectResult* o = nullptr;
+  for (int i = 0; i < 4; ++i) o = object_on(film.next(tracker), film.truth().ids, 3);
+  ASSERT_TRUE(o);
+  EXPECT_EQ(o->state, dot::State::Moving) << describe(o);
 }
 
 }  // namespace

@@ -66,6 +66,7 @@ class Dot {
 
   /// Labels the objects of one frame. The result is valid until the next call.
   /// @throws std::invalid_argument naming the bad field of `frame`; nothing has changed then.
+  /// @throws std::bad_alloc, or what a host's pool throws; everything is forgotten then, as by `reset`.
   const Result& track(const Frame& frame);
 
   /// Masks of an earlier frame, given to `track` without, that arrive only now: a network may take longer than a frame.
@@ -75,6 +76,7 @@ class Dot {
   /// @param frame_id Frame::id; the newest, if several frames have it.
   /// @throws std::invalid_argument naming the bad field, or frame_id when it is none of these frames; nothing has
   /// changed then.
+  /// @throws std::bad_alloc, or what a host's pool throws; everything is forgotten then, as by `reset`.
   void submit_masks(std::uint64_t frame_id, const Masks& masks);
 
   /// Forgets all frames and objects; keeps buffers and never reuses an id.
@@ -120,6 +122,15 @@ class Dot {
     bool discovered = false;  ///< by its motion, not by a network
     const TrackT* track = nullptr;
     Vector3<double> centre = Vector3<double>::Zero();  ///< as `anchor` says
+  };
+
+  /// Half a frame is no state to go on from: what is not done is undone by forgetting all.
+  struct ResetUnlessDone {
+    Dot& dot;
+    bool done = false;
+    ~ResetUnlessDone() {
+      if (!done) dot.reset();
+    }
   };
 
   /// What a thread works with.

@@ -50,7 +50,7 @@ inline void validate(const Options& options) {
   positive("velocity.v0", options.velocity.v0);
   positive("velocity.prior_speed", options.velocity.prior_speed);
   positive("max_gap", options.max_gap);
-  positive("threads", options.threads);
+  if (options.threads < 1 || options.threads > 256) bad_field("options.threads", "must be 1 to 256");
   if (options.mask.late_seconds < 0) bad_field("options.mask.late_seconds", "must be >= 0");
   if (options.selection.window_radius < 1 || options.selection.window_radius > 50)
     bad_field("options.selection.window_radius", "must be 1 to 50 pixels");

@@ -43,11 +43,13 @@ void Dot<Camera, Classifier, Noise, Aligner>::reset() {
     depth_noise.pixel_scale = depth_noise.common_scale = depth_noise.change_scale = 1;
   tracks_.clear();
   history_.clear();
+  segmented_before_ = false;
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame) {
   validate(frame, camera_.width(), camera_.height(), has_previous_, current_.timestamp);
+  ResetUnlessDone attempt{*this};
   clock_ = std::chrono::steady_clock::now();
   while (workers_.size() < static_cast<std::size_t>(std::max(1, threads.count)))
     workers_.push_back({aligner, {}, {}, {}, {}, {}, {}});
@@ -73,6 +75,7 @@ const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame)
   write_result(frame);
   await_masks(frame);  // which may come later
   has_previous_ = true;
+  attempt.done = true;
   return result_;
 }
 

@@ -48,6 +48,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
     bad_field("frame_id", std::to_string(frame_id) + " is none of the frames since the last segmentation, up to " +
                               std::to_string(options_.mask.late_seconds) + " s ago");
   Past& then = *found;
+  ResetUnlessDone attempt{*this};
 
   // The tracks as they were in that frame, by what is known of their motions now.
   tracks_.drop_if([](const TrackT& t) { return t.lost; });
@@ -81,6 +82,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
     std::swap(then.frame.depth, current_.depth);
   }
   history_.drop_before(then.timestamp() + 1e-9);
+  attempt.done = true;
 }
 
 /// Motion of the object's points since a past frame, the camera's and its own composed.

@@ -5,14 +5,16 @@
 // without a prediction, on the static background alone; beside OpenCV's RgbdOdometry. Ours is a tracker that sees two
 // frames. The sequences need true poses and instances.
 //
-//     bench_peer_convergence [--list] [--depth-difference METRES] SEQUENCE...
+//     bench_peer_convergence [--list] [--turn DEGREES] [--depth-difference METRES] SEQUENCE...
 //
 // A pose is right within max(2 cm, 5 %) of the distance and 0.1 degrees; wrong beyond max(10 cm, 15 %) or 0.3 degrees.
-// --list writes all pairs as CSV instead of the table.
+// --turn turns the second camera of each pair besides, about another axis each time. --list writes all pairs as CSV
+// instead of the table; between_m and between_deg are those between the two answers.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -70,6 +72,37 @@ struct Seen {
   dot::SE3d T_world_camera;
 };
 
+/// The same seen by a camera that is turned by R, x_turned = R x, about the same centre.
+Seen turned(const Seen& seen, const dot::Matrix3<double>& R, const dot::Intrinsics& camera) {
+  const cv::Matx33d K(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
+  const cv::Matx33d turn(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2));
+  const cv::Matx33d H = K * turn * K.inv(), ray = turn.t() * K.inv();
+  Seen out = seen;
+  out.T_world_camera = seen.T_world_camera * dot::SE3d{R.transpose(), dot::Vector3<double>::Zero()};
+  const auto warp = [&](const cv::Mat& from, cv::Mat& to, int interpolation, const cv::Scalar& outside) {
+    to = cv::Mat();  // not into the memory that they share
+    cv::warpPerspective(from, to, H, from.size(), interpolation, cv::BORDER_CONSTANT, outside);
+  };
+  warp(seen.frame.image, out.frame.image, cv::INTER_LINEAR, {});
+  warp(seen.images.depth, out.images.depth, cv::INTER_NEAREST, std::numeric_limits<float>::quiet_NaN());
+  out.images.depth.forEach<float>([&](float& z, const int* at) {  // z of a point changes as that of its ray
+    z /= static_cast<float>(ray(2, 0) * at[1] + ray(2, 1) * at[0] + ray(2, 2));
+  });
+  out.frame.depth = out.images.depth;
+  out.images.grey = PeerImages(out.frame).grey;
+  cv::Mat ids, ids_turned;
+  seen.ids.convertTo(ids, CV_32F);
+  warp(ids, ids_turned, cv::INTER_NEAREST, {});
+  ids_turned.convertTo(out.ids, CV_32S);
+  warp(seen.background, out.background, cv::INTER_NEAREST, {});
+  return out;
+}
+/// Right, left, down, up and about the optical axis in turn.
+dot::Matrix3<double> nth_turn(std::size_t n, double degrees) {
+  static const dot::Vector3<double> axes[] = {{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}};
+  return dot::so3::exp(dot::Vector3<double>(axes[n % 5] * (degrees / 57.29578)));
+}
+
 std::vector<Seen> read(runner::Sequence& sequence) {
   std::vector<Seen> all;
   for (int i = 0; i < sequence.size(); ++i) {
@@ -93,18 +126,19 @@ void print(const std::string& name, int gap, const Count& ours, const Count& the
 void list(const std::string& name, int first, int gap, const dot::SE3d& truth, const dot::CameraResult& c,
           const dot::SE3d& T, bool peer_ok, const dot::SE3d& peer_T) {
   const PoseError e = pose_error(T, truth), p = pose_error(peer_T, truth);
-  std::printf("%s,%d,%d,%.4f,%.3f,%s,%.4f,%.4f,%.4f,%d,%d,%.3f,%.2f,%.3f,%d,%.4f,%.4f\n", name.c_str(), first, gap,
-              truth.t.norm(), dot::so3::log(truth.R).norm() * 57.29578, dot::to_string(c.status), e.metres, e.degrees,
-              c.phi, c.n_points, c.n_inliers, c.normalised_variance, c.residual_sigma, c.gain, peer_ok, p.metres,
-              p.degrees);
+  const PoseError between = pose_error(T, peer_T);
+  std::printf("%s,%d,%d,%.4f,%.3f,%s,%.4f,%.4f,%.4f,%d,%d,%.3f,%.2f,%.3f,%d,%.4f,%.4f,%.4f,%.4f\n", name.c_str(), first,
+              gap, truth.t.norm(), dot::so3::log(truth.R).norm() * 57.29578, dot::to_string(c.status), e.metres,
+              e.degrees, c.phi, c.n_points, c.n_inliers, c.normalised_variance, c.residual_sigma, c.gain, peer_ok,
+              p.metres, p.degrees, between.metres, between.degrees);
 }
 
-void run(const std::vector<std::string>& folders, Peer::Limits limits, bool listing) {
+void run(const std::vector<std::string>& folders, Peer::Limits limits, double turn, bool listing) {
   Count ours[5], theirs[5];  // [0] of all
   if (listing)
     std::puts(
         "sequence,first,gap,way_m,turn_deg,status,error_m,error_deg,phi,n_points,n_inliers,normalised_variance,"
-        "residual_sigma,gain,peer_ok,peer_error_m,peer_error_deg");
+        "residual_sigma,gain,peer_ok,peer_error_m,peer_error_deg,between_m,between_deg");
   else
     std::printf("kernels: %s\n\n%30s %24s %24s\n%-16s %4s %6s   %8s %4s %9s   %8s %4s %9s\n", dot::find_kernels()->name,
                 "", "ours", "peer", "", "gap", "pairs", "right, %", "ok", "wrong, ok", "right, %", "ok", "wrong, ok");
@@ -120,7 +154,8 @@ void run(const std::vector<std::string>& folders, Peer::Limits limits, bool list
     for (std::size_t gap = 1; gap <= 4; ++gap) {
       Count here, peer_here;
       for (std::size_t i = 0; i + gap < seen.size(); ++i) {
-        const Seen &a = seen[i], &b = seen[i + gap];
+        const Seen& a = seen[i];
+        const Seen b = turn == 0 ? seen[i + gap] : turned(seen[i + gap], nth_turn(i, turn), sequence.intrinsics());
         const dot::SE3d truth = b.T_world_camera.inverse() * a.T_world_camera;
         tracker.reset();
         dot::Frame frame = a.frame.frame();
@@ -156,17 +191,20 @@ int main(int argc, char** argv) {
   cv::setNumThreads(1);
   Peer::Limits limits = street_limits();
   bool listing = false;
+  double turn = 0;
   std::vector<std::string> folders;
   for (int i = 1; i < argc; ++i) {
     if (!std::strcmp(argv[i], "--list"))
       listing = true;
+    else if (!std::strcmp(argv[i], "--turn") && i + 1 < argc)
+      turn = std::atof(argv[++i]);
     else if (!std::strcmp(argv[i], "--depth-difference") && i + 1 < argc)
       limits.depth_difference = std::atof(argv[++i]);
     else
       folders.push_back(argv[i]);
   }
   try {
-    run(folders, limits, listing);
+    run(folders, limits, turn, listing);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_peer_convergence: %s\n", error.what());

@@ -203,6 +203,19 @@ TEST(AlignCamera, FinishRejectsOutliers) {
   EXPECT_NEAR(a.state.gain, 1, 0.02);
 }
 
+TEST(AlignCamera, CorrelationIsThatOfWhatIsSeen) {
+  const SE3d T = motion(0.05, -0.03, -0.1, 0.01, -0.02, 0.03);
+  Degradation exposed;
+  exposed.gain = 0.7, exposed.offset = 20, exposed.noise = 0.5;
+  const Pair pair(T, exposed);
+  DirectAligner<> aligner;
+  EXPECT_GT(aligner.correlation(pair.problem(), T, 0, 0.5), 0.99);
+  EXPECT_LT(aligner.correlation(pair.problem(), SE3d{}, 0, 0.5), 0.9);
+  const SE3d aside = motion(0, 0, 0, 0, 0.7, 0);
+  EXPECT_EQ(aligner.correlation(pair.problem(), aside, 0, 0.6), -1);
+  EXPECT_GT(aligner.correlation(pair.problem(), aside, 0, 0.1), -1);
+}
+
 // Outliers of one alignment are none of the next one's business.
 TEST(AlignCamera, TheScaleDoesNotRememberOutliers) {
   Degradation noisy;

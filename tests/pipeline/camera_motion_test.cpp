@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "dot/tracker.hpp"
 #include "support/exact_points.hpp"
 #include "support/film.hpp"
 
@@ -25,6 +26,8 @@ using dot::Vector3;
 using namespace dot::test;
 
 const Pinhole camera(small_camera());
+/// 24 degrees wide: a small turn moves the image far.
+const dot::Intrinsics tele{750, 750, 159.5, 119.5, 320, 240, 0.2};
 
 Pyramid pyramid_of(const Rendering& view) {
   Pyramid pyramid;
@@ -33,13 +36,15 @@ Pyramid pyramid_of(const Rendering& view) {
 }
 
 /// From standing still at `reference`, without a velocity.
-Alignment found(const Rendering& reference, const Rendering& current, double reach) {
+Alignment found(const Rendering& reference, const Rendering& current, double metres, double radians = 0.12,
+                const Pinhole& by = camera) {
+  const Pyramid before = pyramid_of(reference);
   const PointSet points = exact_points(
-      reference, camera, pyramid_of(reference), 4, [](int, int) { return true; }, 0.001f);
+      reference, by, before, 4, [](int, int) { return true; }, 0.001f);
   DirectAligner<> aligner;
   dot::MinimaWorkspace workspace;
-  return CameraMotionEstimator{}.estimate(points, pyramid_of(current), camera, {SE3d{}}, false, reach, aligner,
-                                          workspace);
+  const dot::CameraSearch search{metres, radians, before, {}};
+  return CameraMotionEstimator{}.estimate(points, pyramid_of(current), by, {SE3d{}}, &search, aligner, workspace);
 }
 
 class FarForward : public testing::TestWithParam<double> {};
@@ -55,6 +60,49 @@ TEST_P(FarForward, IsFoundWithoutAPrediction) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Metres, FarForward, testing::Values(0.5, 3.0, 6.0, -3.0));
+
+/// Of the camera in the world: axis times degrees, and metres ahead.
+struct Turn {
+  Vector3<double> degrees;
+  double ahead;
+};
+class LargeTurn : public testing::TestWithParam<Turn> {};
+
+// The image moves by up to 100 of its 320 pixels.
+TEST_P(LargeTurn, IsFoundWithoutAPrediction) {
+  Scene scene;
+  scene.bodies.push_back(yard(100));
+  const Pinhole narrow(tele);
+  const SE3d T_world_camera{dot::so3::exp(Vector3<double>(GetParam().degrees / 57.29577951)), {0, 0, GetParam().ahead}};
+  const Rendering before = scene.render(narrow, SE3d{}), now = scene.render(narrow, T_world_camera);
+  const Alignment a = found(before, now, 4, 0.12, narrow);
+  const SE3d off = a.state.T * T_world_camera;
+  EXPECT_LT(off.t.norm(), 0.1);  // a narrow view hardly tells a turn from a shift
+  EXPECT_LT(dot::so3::log(off.R).norm(), 0.005);
+  EXPECT_TRUE(CameraMotionEstimator{}.accepts(a, false)) << "phi " << a.phi << " margin " << a.margin;
+}
+
+INSTANTIATE_TEST_SUITE_P(Axes, LargeTurn,
+                         testing::Values(Turn{{0, 6, 0}, 0}, Turn{{0, -7, 0}, 0.5}, Turn{{5, 0, 0}, 0.5},
+                                         Turn{{-4, 5, 0}, 0.5}, Turn{{2, -5, 4}, 0.5}));
+
+// A kerb, a pothole: it moves otherwise than before.
+TEST(Jerk, IsFoundThoughAnotherVelocityIsKnown) {
+  constexpr int jerk = 5;
+  Film<> film{Pinhole(tele)};
+  film.camera_path = [](double t) {
+    const bool turned = t > 0.1 * jerk - 0.05 && t < 0.1 * jerk + 0.05;
+    const Vector3<double> turn = turned ? Vector3<double>(0.06, 0.08, 0.03) : Vector3<double>(0, 0, 0);
+    return SE3d{dot::so3::exp(turn), {0, 0, 1.5 * t}};
+  };
+  dot::Tracker tracker(tele);
+  film.next(tracker);
+  for (int i = 1; i < 9; ++i) {
+    const dot::Result& result = film.next(tracker);
+    EXPECT_EQ(result.camera.status, dot::CameraStatus::Tracked) << i;
+    EXPECT_LT((SE3d::from_row_major(result.camera.T_cur_prev) * film.T_c().inverse()).log().norm(), 0.1) << i;
+  }
+}
 
 /// A wall 5 m away whose pattern repeats every 24 pixels, moved to the left by `shift` of that, and over it one that
 /// does not repeat.

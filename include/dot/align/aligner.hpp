@@ -150,6 +150,23 @@ struct DirectAligner {
     return (sum + problem.hidden_cost * (all - seen)) / all;
   }
 
+  /// Correlation of the visible points' intensities with those of a level at a pose, in [-1, 1]; -1 where less than
+  /// `min_share` of all are visible.
+  template <typename Camera>
+  double correlation(const AlignProblem<Camera>& problem, const SE3d& T, int level, double min_share) {
+    residuals(problem, level, {T}, 1);
+    const PointResiduals& p = residuals_;
+    const std::vector<float>& reference = problem.points.intensity[static_cast<std::size_t>(level)];
+    float n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const float seen = p.seen(i), a = seen * (reference[i] - 128), b = seen * (p.value[i] - 128);
+      n += seen, x += a, y += b, xx += a * a, xy += a * b, yy += b * b;
+    }
+    if (n < 10 || n < static_cast<float>(min_share) * static_cast<float>(p.size())) return -1;
+    const float vx = xx - x * x / n, vy = yy - y * y / n;
+    return vx > 0 && vy > 0 ? static_cast<double>((xy - x * y / n) / std::sqrt(vx * vy)) : 0;
+  }
+
   /// Robust sigma_I of a level at a pose: the value at which the median normalised residual is that of a normal.
   template <typename Camera>
   double intensity_sigma(const AlignProblem<Camera>& problem, const AlignState& state, int level) {

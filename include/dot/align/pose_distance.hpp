@@ -61,10 +61,12 @@ struct Minima {
 struct MinimaWorkspace {
   Minima minima;
   std::vector<AlignState> starts;
-  std::vector<std::pair<double, SE3d>> tried;          ///< places with their costs
+  std::vector<std::pair<double, SE3d>> tried, turns;   ///< places with their costs
   std::vector<std::pair<double, AlignState>> shifted;  ///< likewise
   std::vector<std::pair<double, std::size_t>> ranked;  ///< costs of the minima
+  std::vector<Alignment> kept;
   std::vector<float> depths;
+  PointSet distant;  ///< points at infinity
 };
 
 DOT_END_NAMESPACE

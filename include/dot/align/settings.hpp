@@ -22,13 +22,14 @@ struct AlignSettings {
 /// When a camera motion is accepted.
 struct CameraSettings {
   int min_points = 100;
-  double min_phi = 0.5;             ///< Pearson correlation
-  double min_phi_unexpected = 0.7;  ///< likewise, while the velocity is unknown
+  double min_phi = 0.5;              ///< Pearson correlation
+  double min_phi_unexpected = 0.85;  ///< likewise, while the velocity is unknown
   double min_margin = 0.02;   ///< while the velocity is unknown: share by which any other motion must fit worse, the
                               ///< standard error of a mean cost over some thousand points
   double min_inliers = 0.35;  ///< share of the visible points
   double restart_margin = 0.005;  ///< a further start must win by this share of the cost
   double search_speed = 45;       ///< m/s: reach of the starts while the speed is unknown
+  double search_turn = 1.2;       ///< rad/s: likewise of the turns, up to 0.2 rad
   double restart_shift = 0.8;     ///< metres: reach of the shifted starts along the least determined direction
 };
 

@@ -12,6 +12,7 @@
 #include "dot/align/aligner.hpp"
 #include "dot/align/pose_distance.hpp"
 #include "dot/align/settings.hpp"
+#include "dot/pipeline/camera_search.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -29,12 +30,12 @@ DOT_BEGIN_NAMESPACE
 struct CameraMotionEstimator {
   CameraSettings settings;
 
-  /// @param predicted T_c, the most trusted first, at least one. Unless the motion is `known`, translations up to
-  /// `search` metres along the axes are tried as well. @return the alignment; `covariance` is that of the left twist of
-  /// T_c, `margin` that over the next best minimum.
+  /// @param predicted T_c, the most trusted first, at least one. @param search for others where nothing is known of the
+  /// motion, or null. @return the alignment; `covariance` is that of the left twist of T_c, `margin` that over the next
+  /// best minimum.
   template <typename Camera, typename Aligner>
   Alignment estimate(const PointSet& points, const Pyramid& image, const Camera& camera,
-                     const std::vector<SE3d>& predicted, bool known, double search, Aligner& aligner,
+                     const std::vector<SE3d>& predicted, const CameraSearch* search, Aligner& aligner,
                      MinimaWorkspace& workspace) const {
     const AlignProblem<Camera> problem{points, image, camera};
     const int top = std::min(points.levels, image.size()) - 1, fine = std::min(1, top);
@@ -55,21 +56,30 @@ struct CameraMotionEstimator {
       add({predicted[i], found.gain, found.offset}, fine);
     }
     if (predicted.back().log().norm() > 1e-3) add({SE3d{}, first.gain, first.offset}, top);
-    if (!known) {
-      searched(problem, search, depth, first, aligner, workspace);
-      for (const AlignState& start : starts) add(start, std::min(kSearchLevel, top));
+    if (search) {
+      const int level = CameraSearch::level_of(top + 1);
+      search->find(problem, depth, aligner.intensity_sigma(problem, first, level), aligner, workspace);
+      for (const AlignState& start : starts) add(start, level);
     }
 
-    // Few points may agree by chance, and better than any others.
-    const auto sees_few = [&](const Alignment& a) { return a.seen < settings.min_points; };
-    minima.drop_if(sees_few);
-    const std::size_t unshifted = minima.found.size();
+    // Few points may agree by chance, and better than any others; without contrast or far off, all may agree.
+    const auto far_off = [&](const SE3d& T) {
+      return std::none_of(predicted.begin(), predicted.end(),
+                          [&](const SE3d& other) { return search->reaches(T * other.inverse()); });
+    };
+    const auto tells_nothing = [&](const Alignment& a) {
+      return a.seen < settings.min_points || a.state.gain < kMinGain || (search && far_off(a.state.T));
+    };
+    minima.drop_if(tells_nothing);
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : minima.found) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, fine));
+    if (search) keep_best(problem, fine, sigma, aligner, workspace);
+    const std::size_t unshifted = minima.found.size();
     for (std::size_t i = 0; i < unshifted; ++i) {
       shifted(problem, minima.found[i], fine, sigma, depth, aligner, workspace);
       for (const AlignState& start : starts) add(start, fine);
     }
+    minima.drop_if(tells_nothing);
     std::vector<Alignment>& candidates = minima.found;
     if (fine > 0)
       for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);
@@ -85,42 +95,10 @@ struct CameraMotionEstimator {
   }
 
  private:
-  static constexpr int kSearchLevel = 2;          ///< where the steps of the search are a few pixels
-  static constexpr std::size_t kSearched = 6;     ///< starts that it gives
+  static constexpr double kMinGain = 0.2;         ///< of the exposure between two frames
+  static constexpr std::size_t kCompared = 8;     ///< minima whose neighbours are looked at
   static constexpr int kShifts = 6;               ///< to either side
   static constexpr double kAnotherMinimum = 5.0;  ///< pixels between the points' places at this one and at another
-
-  /// Sets the starts to translations along each axis: at equal exposure since `state` may be anything, the best of
-  /// those that fit better than their neighbours. Sideways up to half the median depth, which leaves little of the
-  /// image in common; along the optical axis, where what is far stays in sight, twice as far.
-  template <typename Camera, typename Aligner>
-  void searched(const AlignProblem<Camera>& problem, double search, double depth, const AlignState& state,
-                Aligner& aligner, MinimaWorkspace& workspace) const {
-    constexpr int steps = 24;  // to either side
-    const int level = std::min({kSearchLevel, problem.points.levels - 1, problem.image.size() - 1});
-    const double sigma = aligner.intensity_sigma(problem, state, level);
-    auto& found = workspace.tried;
-    found.clear();
-    for (int axis = 0; axis < 3; ++axis) {
-      const double reach = std::min(search, (axis == 2 ? 1 : 0.5) * depth);
-      const auto start = [&](int i) { return SE3d::translation(Vector3<double>::Unit(axis) * reach * i / steps); };
-      const auto cost = [&](int i) {
-        return std::abs(i) > steps ? std::numeric_limits<double>::infinity()
-                                   : aligner.rank(problem, {start(i)}, level, sigma);
-      };
-      double before = cost(-steps - 1), here = cost(-steps);
-      for (int i = -steps; i <= steps; ++i) {
-        const double after = cost(i + 1);
-        if (i != 0 && std::isfinite(here) && here <= before && here <= after) found.push_back({here, start(i)});
-        before = here, here = after;
-      }
-    }
-    const auto keep = static_cast<std::ptrdiff_t>(std::min(found.size(), kSearched));
-    std::partial_sort(found.begin(), found.begin() + keep, found.end(),
-                      [](const auto& l, const auto& r) { return l.first < r.first; });
-    workspace.starts.clear();
-    for (std::ptrdiff_t i = 0; i < keep; ++i) workspace.starts.push_back({found[static_cast<std::size_t>(i)].second});
-  }
 
   /// Sets the starts to those that may lead to other minima along the least determined direction, on the road that of
   /// travel: as pure translations, and with rotation, gain and offset following as the covariance says, the two best of
@@ -170,6 +148,21 @@ struct CameraMotionEstimator {
     const auto middle = q.begin() + static_cast<std::ptrdiff_t>(q.size() / 2);
     std::nth_element(q.begin(), middle, q.end());
     return 1 / static_cast<double>(*middle);
+  }
+
+  /// Drops minima that are not among the best, of a level.
+  template <typename Camera, typename Aligner>
+  void keep_best(const AlignProblem<Camera>& problem, int level, double sigma, Aligner& aligner,
+                 MinimaWorkspace& workspace) const {
+    auto& costs = workspace.ranked;
+    costs.clear();
+    std::vector<Alignment>& found = workspace.minima.found;
+    for (const Alignment& a : found) costs.push_back({aligner.rank(problem, a.state, level, sigma), costs.size()});
+    std::sort(costs.begin(), costs.end());
+    std::vector<Alignment>& kept = workspace.kept;
+    kept.clear();
+    for (std::size_t i = 0; i < std::min(costs.size(), kCompared); ++i) kept.push_back(found[costs[i].second]);
+    std::swap(kept, found);
   }
 
   /// A later candidate must win by a margin: equal minima should not alternate.

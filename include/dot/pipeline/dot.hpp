@@ -144,6 +144,9 @@ class Dot {
     SelectionWorkspace selection;
   };
 
+  /// The previous frame, which the history has if its masks may still come.
+  const Current& before() { return history_.empty() ? previous_ : std::prev(history_.end())->frame; }
+
   void build(const Frame& frame);
   void camera_motion(const Frame& frame);
   void predict_tracks();

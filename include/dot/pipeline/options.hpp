@@ -53,6 +53,7 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(camera.min_margin);
   DOT_OPTION(camera.min_inliers);
   DOT_OPTION(camera.search_speed);
+  DOT_OPTION(camera.search_turn);
   DOT_OPTION(camera.restart_margin);
   DOT_OPTION(camera.restart_shift);
   DOT_OPTION(depth_noise.stereo_sigma_px);

@@ -142,11 +142,20 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
   } else {
     const SE3d T_prev_background = T_cur_background_;
     for (SE3d& T : predicted) T = T * T_prev_background;
-    c.alignment =
-        camera_estimator.estimate(background_, current_.pyramid, camera_, predicted, c.rate_known,
-                                  options_.camera.search_speed * current_.dt, workers_[0].aligner, workers_[0].minima);
+    const auto estimate = [&](const CameraSearch* search) {
+      c.alignment = camera_estimator.estimate(background_, current_.pyramid, camera_, predicted, search,
+                                              workers_[0].aligner, workers_[0].minima);
+    };
+    const CameraSettings& s = options_.camera;
+    const CameraSearch search{s.search_speed * current_.dt, s.search_turn * current_.dt, before().pyramid,
+                              T_prev_background};
+    estimate(c.rate_known ? nullptr : &search);
+    bool ok = camera_estimator.accepts(c.alignment, c.rate_known || frame.camera_prior.has_value());
+    if (!ok && c.rate_known) {  // it moved otherwise than before
+      estimate(&search);
+      ok = camera_estimator.accepts(c.alignment, false);
+    }
     const Alignment& a = c.alignment;
-    const bool ok = camera_estimator.accepts(a, c.rate_known || frame.camera_prior.has_value());
     c.status = ok ? CameraStatus::Tracked : CameraStatus::Lost;
     if (ok) {
       c.T_cur_prev = a.state.T * T_prev_background.inverse();

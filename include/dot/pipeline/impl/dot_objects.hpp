@@ -142,7 +142,6 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object, Worker& wor
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object, Worker& worker) {
   if (!camera_state_.known()) return;
-  const Current& before = history_.empty() ? previous_ : std::prev(history_.end())->frame;
   const SE3d T_prev_cur = camera_state_.T_cur_prev.inverse();
   const AlignState& change = camera_state_.alignment.state;
   ObjectReference& r = worker.here;
@@ -150,7 +149,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object, Worker& 
   if (make_reference(selector(current_, worker), *object.observed, object.observed_centre, r) != Reason::None) return;
   r.advance(T_prev_cur, T_prev_cur.adjoint() * camera_state_.covariance * T_prev_cur.adjoint().transpose(),
             1 / change.gain, -change.offset / change.gain);
-  const ObjectScene<Camera> scene{before.pyramid, camera_, before.depth, {}};
+  const ObjectScene<Camera> scene{before().pyramid, camera_, before().depth, {}};
   worker.starts.assign(1, SE3d{});
   object_estimator.search(r, scene, current_.dt, depth_noise, worker.aligner, worker.minima, worker.starts);
   const ObjectFit fit =

@@ -36,10 +36,14 @@ struct CameraSearch {
       add_shifts(problem, turn.second * T_before_j, depth, sigma, aligner, tried);
       keep_best(tried, others, kShifts);
     }
-    for (auto& place : tried)
-      for (int round = 0; round < 2; ++round) improve(problem, depth, sigma, aligner, place);
     workspace.starts.clear();
-    for (const auto& place : tried) workspace.starts.push_back({place.second});
+    for (auto& place : tried) {
+      const SE3d found = place.second;
+      workspace.starts.push_back({found});
+      for (int round = 0; round < 2; ++round) improve(problem, depth, sigma, aligner, place);
+      if (pose_distance(problem.points, problem.camera, found, place.second) > 0)
+        workspace.starts.push_back({place.second});
+    }
   }
 
   /// Whether a motion, beyond the one expected, is one that the camera may make at all.

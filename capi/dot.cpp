@@ -107,14 +107,23 @@ class Use {
   bool granted_;
 };
 
-/// The same for a call on a tracker, which starts afresh after whatever interrupts it half-way.
+/// The same for a call on a tracker. Whatever interrupts one half-way leaves a state that nobody has planned; the
+/// tracker starts afresh from there.
 template <typename Body>
 dot_status guard(dot_tracker* tracker, Body&& body) noexcept {
   if (tracker == nullptr) return DOT_INVALID_ARGUMENT;
   const Use use(*tracker);
   if (!use.granted()) return DOT_BUSY;
-  const dot_status status = guard(tracker->error, body);
-  if (status == DOT_OUT_OF_MEMORY || status == DOT_INTERNAL) tracker->result = nullptr;
+  dot_status status = guard(tracker->error, body);
+  if (status == DOT_OUT_OF_MEMORY || status == DOT_INTERNAL) {
+    tracker->result = nullptr;
+    try {
+      tracker->tracker.reset();
+    } catch (...) {
+      tracker->error.set("the tracker could not be reset after a failure");
+      status = DOT_INTERNAL;
+    }
+  }
   if (status != DOT_OK) log(*tracker, DOT_LOG_ERROR, tracker->error.text);
   return status;
 }

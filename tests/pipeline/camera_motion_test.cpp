@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dot/tracker.hpp"
 #include "support/exact_points.hpp"
@@ -86,6 +88,32 @@ INSTANTIATE_TEST_SUITE_P(Axes, LargeTurn,
                          testing::Values(Turn{{0, 6, 0}, 0}, Turn{{0, -7, 0}, 0.5}, Turn{{5, 0, 0}, 0.5},
                                          Turn{{-4, 5, 0}, 0.5}, Turn{{2, -5, 4}, 0.5}));
 
+// A turn that was looked for alone is off by what a shift has moved the image, and the shift by that.
+TEST(CameraSearch, ImprovesWhatItFound) {
+  Scene scene;
+  scene.bodies.push_back(yard(100));
+  const Rendering reference = scene.render(camera, SE3d{});
+  const Pyramid before = pyramid_of(reference);
+  const PointSet points = exact_points(
+      reference, camera, before, 4, [](int, int) { return true; }, 0.001f);
+  for (const double degrees : {3.0, -4.0, 5.0}) {
+    const SE3d T_world_camera{dot::so3::exp(Vector3<double>(0, degrees / 57.29577951, 0)), {0.3, 0, 2.3}};
+    const Pyramid now = pyramid_of(scene.render(camera, T_world_camera));
+    DirectAligner<> aligner;
+    dot::MinimaWorkspace workspace;
+    const dot::CameraSearch search{6, 0.12, before, {}};
+    const dot::AlignProblem<Pinhole> problem{points, now, camera};
+    search.find(problem, 10, 10, aligner, workspace);
+    const auto nearest = [&](const std::vector<dot::AlignState>& places) {
+      double pixels = std::numeric_limits<double>::infinity();
+      for (const dot::AlignState& place : places)
+        pixels = std::min(pixels, pose_distance(points, camera, place.T, T_world_camera.inverse()));
+      return pixels;
+    };
+    EXPECT_LT(nearest(workspace.near), 0.5 * nearest(workspace.starts)) << degrees;
+  }
+}
+
 // A kerb, a pothole: it moves otherwise than before.
 TEST(Jerk, IsFoundThoughAnotherVelocityIsKnown) {
   constexpr int jerk = 5;
@@ -135,6 +163,33 @@ TEST(AmbiguousMotion, IsBelievedWhereSomethingElseTells) {
   EXPECT_NEAR(a.state.T.t.x(), -0.4 * 24 * 5 / 200, 0.02);
   EXPECT_GT(a.margin, 0.1);
   EXPECT_TRUE(CameraMotionEstimator{}.accepts(a, false)) << "phi " << a.phi << " margin " << a.margin;
+}
+
+/// A wall 5 m away, moved by `shift` pixels; over a third of it lie shadows with soft edges, moved by `shadows`.
+Rendering shadowed_wall(double shift, double shadows) {
+  const Texture fine(3, 3, 8, 12);
+  Rendering view;
+  view.intensity.resize(camera.width(), camera.height());
+  view.depth.resize(camera.width(), camera.height());
+  for (int y = 0; y < camera.height(); ++y)
+    for (int x = 0; x < camera.width(); ++x) {
+      double dark = 0;
+      if (y > 80 && y < 160)
+        for (const int edge : {30, 70, 120, 190, 250, 290})
+          dark += 20 * std::tanh((x - shadows - edge) / 6) * (edge % 20 ? 1 : -1);
+      view.intensity(x, y) = static_cast<float>(fine(x - shift, y) - dark);
+      view.depth(x, y) = 5;
+    }
+  view.round();
+  return view;
+}
+
+// A coarse level shows little but the shadows.
+TEST(MovingShadows, DoNotCaptureTheSearch) {
+  for (const double shift : {16.0, 20.0}) {
+    const Alignment a = found(shadowed_wall(0, 0), shadowed_wall(shift, shift + 5), 1);
+    EXPECT_NEAR(a.state.T.t.x(), shift * 5 / 200, 0.01);
+  }
 }
 
 TEST(Accepts, AsksForABetterCorrelationWithoutAVelocity) {

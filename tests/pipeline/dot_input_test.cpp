@@ -209,6 +209,21 @@ TEST(Input, EveryOptionMustBeFinite) {
   EXPECT_EQ(refusal([&] { Tracker(tiny_camera(), options); }), "accepted");
 }
 
+TEST(Input, OnlyEntropiesAndADirectionMayBeNegative) {
+  Options options;
+  for_each_option(options, [&](const char* name, auto& value) {
+    if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, bool>) {
+      const std::string setting = name, room = setting.substr(0, setting.find('.') + 1);
+      const bool may = room == "entropy." || setting.find(".up_") != std::string::npos;
+      const auto good = value;
+      value = -1;
+      const std::string message = refusal([&] { Tracker(tiny_camera(), options); });
+      EXPECT_EQ(message.rfind("options." + setting + ":", 0) == 0, !may) << message;
+      value = good;
+    }
+  });
+}
+
 TEST(Input, OptionsOutOfRangeAreNamed) {
   struct Bad {
     const char* name;
@@ -240,6 +255,8 @@ TEST(Input, OptionsOutOfRangeAreNamed) {
                          {"velocity.keep", 0.99},
                          {"max_gap", 0},
                          {"max_gap", -1},
+                         {"threads", 0},
+                         {"camera.search_turn", -1e-6},
                          {"mask.late_seconds", -0.1}}) {
     Options options;
     bool found = false;

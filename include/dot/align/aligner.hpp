@@ -150,6 +150,18 @@ struct DirectAligner {
     return (sum + problem.hidden_cost * (all - seen)) / all;
   }
 
+  /// Sets `costs` to the Tukey cost of each point on a level, with a given sigma_I; negative where it is not seen.
+  template <typename Camera>
+  void point_costs(const AlignProblem<Camera>& problem, const AlignState& state, int level, double sigma_intensity,
+                   std::vector<float>& costs) {
+    residuals(problem, level, state, sigma_intensity);
+    const PointResiduals& p = residuals_;
+    costs.resize(p.size());
+    tukey_costs(p.r.data(), p.extra.data(), p.size(), static_cast<float>(sq(sigma_intensity)),
+                static_cast<float>(settings.tukey), costs.data());
+    for (std::size_t i = 0; i < p.size(); ++i) costs[i] = p.seen(i) ? costs[i] : -1;
+  }
+
   /// Correlation of the visible points' intensities with those of a level at a pose, in [-1, 1]; -1 where less than
   /// `min_share` of all are visible.
   template <typename Camera>

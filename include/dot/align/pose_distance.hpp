@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
-#include <vector>
 
 #include "dot/align/aligner.hpp"
 
@@ -35,38 +33,5 @@ double pose_distance(const PointSet& points, const Camera& camera, const SE3d& a
   }
   return count ? std::sqrt(sum / count) : std::numeric_limits<double>::infinity();
 }
-
-/// Local minima found from several starts: those that lead to the same one, within `kSamePixels`, are one.
-struct Minima {
-  static constexpr double kSamePixels = 0.1;
-  std::vector<Alignment> found;
-
-  /// Drops those for which `condition` holds, unless it holds for all.
-  template <typename Condition>
-  void drop_if(Condition&& condition) {
-    if (!std::all_of(found.begin(), found.end(), condition))
-      found.erase(std::remove_if(found.begin(), found.end(), condition), found.end());
-  }
-  /// @return whether it was a new one.
-  template <typename Camera>
-  bool add(const AlignProblem<Camera>& problem, const Alignment& a) {
-    for (const Alignment& other : found)
-      if (pose_distance(problem.points, problem.camera, a.state.T, other.state.T) < kSamePixels) return false;
-    found.push_back(a);
-    return true;
-  }
-};
-
-/// Buffers of the estimators that look for such minima.
-struct MinimaWorkspace {
-  Minima minima;
-  std::vector<AlignState> starts;
-  std::vector<std::pair<double, SE3d>> tried, turns;   ///< places with their costs
-  std::vector<std::pair<double, AlignState>> shifted;  ///< likewise
-  std::vector<std::pair<double, std::size_t>> ranked;  ///< costs of the minima
-  std::vector<Alignment> kept;
-  std::vector<float> depths;
-  PointSet distant;  ///< points at infinity
-};
 
 DOT_END_NAMESPACE

@@ -57,6 +57,22 @@ inline double tukey_cost_sum(const float* r, const float* extra, std::size_t n, 
   return sum;
 }
 
+/// Tukey's cost of each of `n` residuals, as above.
+inline void tukey_costs(const float* r, const float* extra, std::size_t n, float s2, float c, float* costs) {
+  using Lanes = PortableLanes;
+  using F = Lanes::F;
+  constexpr std::size_t W = Lanes::W;
+  const F one = Lanes::set(1), zero = Lanes::set(0), sigma2 = Lanes::set(s2), to_c = Lanes::set(1 / (c * c));
+  const F most = Lanes::set(c * c / 6);
+  std::size_t i = 0;
+  for (; i + W <= n; i += W) {
+    const F e = Lanes::load(r + i), v = Lanes::add(sigma2, Lanes::load(extra + i));
+    const F k = Lanes::max(zero, Lanes::sub(one, Lanes::mul(Lanes::div(Lanes::mul(e, e), v), to_c)));
+    Lanes::store(costs + i, Lanes::mul(most, Lanes::sub(one, Lanes::mul(Lanes::mul(k, k), k))));
+  }
+  for (; i < n; ++i) costs[i] = tukey_cost(r[i] / std::sqrt(s2 + extra[i]), c);
+}
+
 /// The middle one of values >= 0, the upper one of two; 0 of none. `values` is reordered or shortened.
 ///
 /// The bits of such floats are in the order of their values. Counting the values by their leading bits (eight bins an

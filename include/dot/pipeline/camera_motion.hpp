@@ -10,7 +10,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "dot/align/aligner.hpp"
-#include "dot/align/pose_distance.hpp"
+#include "dot/align/minima.hpp"
 #include "dot/align/settings.hpp"
 #include "dot/pipeline/camera_search.hpp"
 
@@ -60,6 +60,10 @@ struct CameraMotionEstimator {
       const int level = CameraSearch::level_of(top + 1);
       search->find(problem, depth, aligner.intensity_sigma(problem, first, level), aligner, workspace);
       for (const AlignState& start : starts) add(start, level);
+      for (const AlignState& start : workspace.near) {
+        add(start, level);
+        add(start, fine);  // where what a coarse level shows is moving shadows, that leads away
+      }
     }
 
     // Few points may agree by chance, and better than any others; without contrast or far off, all may agree.
@@ -120,26 +124,17 @@ struct CameraMotionEstimator {
       const Vector8 shift = reach * i / kShifts * x;
       return AlignState{SE3d::exp(shift.head<6>()) * a.state.T, a.state.gain + shift[6], a.state.offset + shift[7]};
     };
-    const auto cost = [&](const Vector8& x, int i) {
-      return std::abs(i) > kShifts ? std::numeric_limits<double>::infinity()
-                                   : aligner.rank(problem, start(x, i), level, sigma);
-    };
-    const double middle = cost(alone, 0);
+    const double middle = aligner.rank(problem, a.state, level, sigma);
     auto& found = workspace.shifted;
     found.clear();
     for (const Vector8& x : {alone, follow})
-      for (const int side : {-1, 1}) {
-        double before = middle, here = cost(x, side);
-        for (int i = 1; i <= kShifts; ++i) {
-          const double after = cost(x, side * (i + 1));
-          if (std::isfinite(here) && here <= before && here <= after) found.push_back({here, start(x, side * i)});
-          before = here, here = after;
-        }
-      }
-    const auto keep = static_cast<std::ptrdiff_t>(std::min<std::size_t>(found.size(), 2));
-    std::partial_sort(found.begin(), found.begin() + keep, found.end(),
-                      [](const auto& l, const auto& r) { return l.first < r.first; });
-    for (std::ptrdiff_t i = 0; i < keep; ++i) starts.push_back(found[static_cast<std::size_t>(i)].second);
+      find_minima(
+          kShifts, [&](int i) { return i == 0 ? middle : aligner.rank(problem, start(x, i), level, sigma); },
+          [&](double cost, int i) {
+            if (i != 0) found.push_back({cost, start(x, i)});
+          });
+    keep_cheapest(found, 2);
+    for (const auto& place : found) starts.push_back(place.second);
   }
 
   static double median_depth(const PointSet& points, std::vector<float>& q) {
@@ -154,14 +149,16 @@ struct CameraMotionEstimator {
   template <typename Camera, typename Aligner>
   void keep_best(const AlignProblem<Camera>& problem, int level, double sigma, Aligner& aligner,
                  MinimaWorkspace& workspace) const {
-    auto& costs = workspace.ranked;
+    std::vector<Alignment>&found = workspace.minima.found, &kept = workspace.kept;
+    PointCosts& costs = workspace.costs;
     costs.clear();
-    std::vector<Alignment>& found = workspace.minima.found;
-    for (const Alignment& a : found) costs.push_back({aligner.rank(problem, a.state, level, sigma), costs.size()});
-    std::sort(costs.begin(), costs.end());
-    std::vector<Alignment>& kept = workspace.kept;
+    for (const Alignment& a : found) costs.add(problem, a.state, level, sigma, aligner);
     kept.clear();
-    for (std::size_t i = 0; i < std::min(costs.size(), kCompared); ++i) kept.push_back(found[costs[i].second]);
+    while (kept.size() < std::min(found.size(), kCompared)) {
+      const std::size_t next = costs.best(0);
+      kept.push_back(found[next]);
+      costs.remove(next);
+    }
     std::swap(kept, found);
   }
 
@@ -175,17 +172,14 @@ struct CameraMotionEstimator {
     }
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
-    auto& costs = workspace.ranked;
+    PointCosts& costs = workspace.costs;
     costs.clear();
-    for (const Alignment& a : candidates) costs.push_back({aligner.rank(problem, a.state, 0, sigma), costs.size()});
-    std::size_t chosen = 0;
-    for (const auto& [cost, i] : costs)
-      if (cost < costs[chosen].first * (1 - settings.restart_margin)) chosen = i;
+    for (const Alignment& a : candidates) costs.add(problem, a.state, 0, sigma, aligner);
+    const std::size_t chosen = costs.best(settings.restart_margin);
     Alignment& a = candidates[chosen];
-    const double least = costs[chosen].first;
-    for (const auto& [cost, i] : costs)
+    for (std::size_t i = 0; i < candidates.size(); ++i)
       if (pose_distance(problem.points, problem.camera, candidates[i].state.T, a.state.T) > kAnotherMinimum)
-        a.margin = std::min(a.margin, cost > least ? cost / least - 1 : 0);
+        a.margin = std::min(a.margin, std::max(0.0, costs.ratio(i, chosen) - 1));
     aligner.finish(problem, a);
     return a;
   }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "dot/align/aligner.hpp"
-#include "dot/align/pose_distance.hpp"
+#include "dot/align/minima.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -23,7 +23,8 @@ struct CameraSearch {
   const Pyramid& before;  ///< of the image before
   SE3d T_before_j;        ///< pose of its camera from the points' frame
 
-  /// Sets workspace.starts, poses T_i_j of the problem at equal exposure.
+  /// Sets workspace.starts, poses T_i_j of the problem at equal exposure, and workspace.near, which are some pixels of
+  /// level 0 from what they lead to.
   /// @param depth of the points, metres; @param sigma grey values, scale of the residuals on level_of(...).
   template <typename Camera, typename Aligner>
   void find(const AlignProblem<Camera>& problem, double depth, double sigma, Aligner& aligner,
@@ -34,15 +35,16 @@ struct CameraSearch {
     for (const auto& turn : workspace.turns) {
       const std::size_t others = tried.size();
       add_shifts(problem, turn.second * T_before_j, depth, sigma, aligner, tried);
-      keep_best(tried, others, kShifts);
+      keep_cheapest(tried, kShifts, others);
     }
     workspace.starts.clear();
+    workspace.near.clear();
     for (auto& place : tried) {
       const SE3d found = place.second;
       workspace.starts.push_back({found});
       for (int round = 0; round < 2; ++round) improve(problem, depth, sigma, aligner, place);
       if (pose_distance(problem.points, problem.camera, found, place.second) > 0)
-        workspace.starts.push_back({place.second});
+        workspace.near.push_back({place.second});
     }
   }
 
@@ -64,12 +66,6 @@ struct CameraSearch {
   static constexpr int kSteps = 24;            ///< of the shifts, to either side
   static constexpr double kAnotherTurn = 4;    ///< pixels of level 0 between two that differ
   static constexpr double kInCommon = 0.5;     ///< share of the past image that is to be in the new one
-
-  static void keep_best(Places& places, std::size_t begin, std::size_t count) {
-    const auto cheaper = [](const auto& l, const auto& r) { return l.first < r.first; };
-    std::sort(places.begin() + static_cast<std::ptrdiff_t>(begin), places.end(), cheaper);
-    if (places.size() > begin + count) places.resize(begin + count);
-  }
 
   /// Sets workspace.turns to those under which the past image correlates best with the new one, and to none at all.
   template <typename Camera, typename Aligner>
@@ -93,7 +89,7 @@ struct CameraSearch {
           const SE3d T = turn_by({x * side, y * side, z * roll});
           grid.push_back({cost(T, level), T});
         }
-    keep_best(grid, 0, kAligned);
+    keep_cheapest(grid, kAligned);
     for (const auto& place : grid) {
       const SE3d T{aligner.align(distant, {place.second}, level, finer).state.T.R, Vector3<double>::Zero()};
       const bool known = std::any_of(turns.begin() + 1, turns.end(), [&](const auto& other) {
@@ -101,7 +97,7 @@ struct CameraSearch {
       });
       if (!known) turns.push_back({cost(T, finer), T});
     }
-    keep_best(turns, 1, kTurns);
+    keep_cheapest(turns, kTurns, 1);
     grid.clear();
   }
 
@@ -139,22 +135,17 @@ struct CameraSearch {
   template <typename Camera, typename Aligner>
   void add_shifts(const AlignProblem<Camera>& problem, const SE3d& from, double depth, double sigma, Aligner& aligner,
                   Places& places) const {
-    constexpr double beyond = std::numeric_limits<double>::infinity();
     const int level = level_of(std::min(problem.points.levels, problem.image.size()));
     for (int axis = 0; axis < 3; ++axis) {
       const double reach = std::min(metres, (axis == 2 ? 1 : 0.5) * depth);
       const auto place = [&](int i) {
         return SE3d::translation(Vector3<double>::Unit(axis) * reach * i / kSteps) * from;
       };
-      const auto cost = [&](int i) {
-        return std::abs(i) > kSteps ? beyond : aligner.rank(problem, {place(i)}, level, sigma);
-      };
-      double last = beyond, here = cost(-kSteps);
-      for (int i = -kSteps; i <= kSteps; ++i) {
-        const double after = cost(i + 1);
-        if (std::isfinite(here) && here <= last && here <= after) places.push_back({here, place(i)});
-        last = here, here = after;
-      }
+      find_minima(
+          kSteps, [&](int i) { return aligner.rank(problem, {place(i)}, level, sigma); },
+          [&](double cost, int i) {
+            places.push_back({cost, place(i)});
+          });
     }
   }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dot/align/aligner.hpp"
-#include "dot/align/pose_distance.hpp"
+#include "dot/align/minima.hpp"
 #include "dot/motion/disparity.hpp"
 #include "dot/motion/estimate.hpp"
 #include "dot/motion/known_velocity.hpp"
@@ -205,10 +205,8 @@ struct ObjectMotionEstimator {
         const double cost = aligner.rank(problem, {problem.T_outer * T_o, still.gain, still.offset}, level, sigma);
         if (std::isfinite(cost)) found.push_back({cost, T_o});
       }
-    const std::size_t keep = std::min<std::size_t>(found.size(), 3);
-    std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(keep), found.end(),
-                      [](const auto& l, const auto& r) { return l.first < r.first; });
-    for (std::size_t i = 0; i < keep; ++i) starts.push_back(found[i].second);
+    keep_cheapest(found, 3);
+    for (const auto& place : found) starts.push_back(place.second);
   }
 
   template <typename Camera, typename Noise>

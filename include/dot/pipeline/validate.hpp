@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 #include "dot/abi.hpp"
@@ -50,8 +51,13 @@ inline void validate(const Options& options) {
   positive("velocity.v0", options.velocity.v0);
   positive("velocity.prior_speed", options.velocity.prior_speed);
   positive("max_gap", options.max_gap);
+  for_each_option(options, [](const char* name, const auto& value) {
+    const std::string_view setting = name;  // an entropy, in nats, and a direction may be negative
+    if (static_cast<double>(value) < 0 && setting.rfind("entropy.", 0) != 0 &&
+        setting.rfind("motion_prior.up_", 0) != 0)
+      bad_field(std::string("options.") + name, "must be >= 0");
+  });
   if (options.threads < 1 || options.threads > 256) bad_field("options.threads", "must be 1 to 256");
-  if (options.mask.late_seconds < 0) bad_field("options.mask.late_seconds", "must be >= 0");
   if (options.selection.window_radius < 1 || options.selection.window_radius > 50)
     bad_field("options.selection.window_radius", "must be 1 to 50 pixels");
   if (!(options.velocity.decide > 0.5 && options.velocity.decide < 1))

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "dot/align/aligner.hpp"
+#include "dot/align/point_costs.hpp"
+#include "dot/align/pose_distance.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Keeps the `count` cheapest of pairs of a cost and something, those before `begin` besides, in the order of cost.
+template <typename Pairs>
+void keep_cheapest(Pairs& pairs, std::size_t count, std::size_t begin = 0) {
+  const auto from = pairs.begin() + static_cast<std::ptrdiff_t>(begin);
+  const auto kept = from + static_cast<std::ptrdiff_t>(std::min(count, pairs.size() - begin));
+  std::partial_sort(from, kept, pairs.end(), [](const auto& l, const auto& r) { return l.first < r.first; });
+  pairs.erase(kept, pairs.end());
+}
+
+/// Calls `found(cost, i)` for each i in [-n, n] whose cost(i) is finite and no higher than that of its neighbours.
+template <typename Cost, typename Found>
+void find_minima(int n, Cost&& cost, Found&& found) {
+  constexpr double beyond = std::numeric_limits<double>::infinity();
+  double before = beyond, here = cost(-n);
+  for (int i = -n; i <= n; ++i) {
+    const double after = i < n ? cost(i + 1) : beyond;
+    if (std::isfinite(here) && here <= before && here <= after) found(here, i);
+    before = here, here = after;
+  }
+}
+
+/// Local minima found from several starts: those that lead to the same one, within `kSamePixels`, are one.
+struct Minima {
+  static constexpr double kSamePixels = 0.1;
+  std::vector<Alignment> found;
+
+  /// Drops those for which `condition` holds, unless it holds for all.
+  template <typename Condition>
+  void drop_if(Condition&& condition) {
+    if (!std::all_of(found.begin(), found.end(), condition))
+      found.erase(std::remove_if(found.begin(), found.end(), condition), found.end());
+  }
+  /// @return whether it was a new one.
+  template <typename Camera>
+  bool add(const AlignProblem<Camera>& problem, const Alignment& a) {
+    for (const Alignment& other : found)
+      if (pose_distance(problem.points, problem.camera, a.state.T, other.state.T) < kSamePixels) return false;
+    found.push_back(a);
+    return true;
+  }
+};
+
+/// Buffers of the estimators that look for such minima.
+struct MinimaWorkspace {
+  Minima minima;
+  std::vector<AlignState> starts, near;                ///< those `near` a minimum are for fine levels only
+  std::vector<std::pair<double, SE3d>> tried, turns;   ///< places with their costs
+  std::vector<std::pair<double, AlignState>> shifted;  ///< likewise
+  PointCosts costs;
+  std::vector<std::pair<double, std::size_t>> ranked;  ///< costs of the minima
+  std::vector<Alignment> kept;
+  std::vector<float> depths;
+  PointSet distant;  ///< points at infinity
+};
+
+DOT_END_NAMESPACE

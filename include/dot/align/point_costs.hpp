@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "dot/align/aligner.hpp"
+#include "dot/kernel/lanes.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// What places cost point by point, to compare two of them by what both see. By the mean of what each sees, one that
+/// keeps in sight what is easy would win for that alone: near asphalt, which leaves the image when the camera goes
+/// ahead.
+class PointCosts {
+ public:
+  void clear() { open_.clear(); }
+
+  /// Adds a place, with the Tukey costs of a level at a given sigma_I.
+  template <typename Camera, typename Aligner>
+  void add(const AlignProblem<Camera>& problem, const AlignState& state, int level, double sigma, Aligner& aligner) {
+    const std::size_t place = open_.size();
+    if (place == costs_.size()) costs_.emplace_back();
+    aligner.point_costs(problem, state, level, sigma, costs_[place]);
+    open_.push_back(place);
+  }
+
+  /// Cost of a place over that of another: of what both see, or, where that is too little, of what each sees.
+  double ratio(std::size_t place, std::size_t other) const {
+    const Sum shared = sum(place, other);
+    if (shared.count >= kShared) return shared.cost / sum(other, place).cost;
+    return sum(place, place).mean() / sum(other, other).mean();
+  }
+
+  /// The place that no other beats by this share of the cost, as far as there is one; an earlier one of equals. Of
+  /// those not removed, at least one.
+  std::size_t best(double share) const {
+    std::size_t chosen = open_.front();
+    for (int pass = 0; pass < 2; ++pass)
+      for (const std::size_t place : open_)
+        if (place != chosen && ratio(place, chosen) < 1 - share) chosen = place;
+    return chosen;
+  }
+
+  void remove(std::size_t place) { open_.erase(std::find(open_.begin(), open_.end(), place)); }
+
+ private:
+  static constexpr int kShared = 100;  ///< points, of which a mean cost tells
+
+  struct Sum {
+    int count = 0;
+    float cost = 0;
+    double mean() const { return count ? static_cast<double>(cost) / count : std::numeric_limits<double>::infinity(); }
+  };
+
+  /// Of a place's costs, over the points that another sees too.
+  Sum sum(std::size_t place, std::size_t other) const {
+    using Lanes = PortableLanes;
+    constexpr std::size_t W = Lanes::W;
+    const std::vector<float>&a = costs_[place], &b = costs_[other];
+    const Lanes::F zero = Lanes::set(0);
+    Lanes::F cost = zero;
+    Sum sum;
+    std::size_t i = 0;
+    for (; i + W <= a.size(); i += W) {
+      const Lanes::F here = Lanes::load(a.data() + i);
+      const Lanes::M both = Lanes::both(Lanes::not_less(here, zero), Lanes::not_less(Lanes::load(b.data() + i), zero));
+      cost = Lanes::add(cost, Lanes::keep(both, here));
+      sum.count += Lanes::count(both);
+    }
+    sum.cost = Lanes::sum(cost);
+    for (; i < a.size(); ++i)
+      if (a[i] >= 0 && b[i] >= 0) ++sum.count, sum.cost += a[i];
+    return sum;
+  }
+
+  std::vector<std::vector<float>> costs_;  ///< of each place and point, negative where it is not seen
+  std::vector<std::size_t> open_;          ///< places that were not removed
+};
+
+DOT_END_NAMESPACE

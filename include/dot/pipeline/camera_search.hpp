@@ -59,8 +59,8 @@ struct CameraSearch {
  private:
   using Places = std::vector<std::pair<double, SE3d>>;  ///< with their costs
 
-  static constexpr int kDistantPoints = 1500;  ///< of the smallest image, roughly
-  static constexpr std::size_t kAligned = 16;  ///< turns of the grid that are refined
+  static constexpr int kDistantPoints = 700;   ///< of the smallest image, roughly
+  static constexpr std::size_t kAligned = 10;  ///< turns of the grid that are refined
   static constexpr std::size_t kTurns = 4;     ///< of them that are kept
   static constexpr std::size_t kShifts = 6;    ///< that are kept for each turn
   static constexpr int kSteps = 24;            ///< of the shifts, to either side

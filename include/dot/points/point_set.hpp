@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "dot/abi.hpp"
@@ -36,6 +37,20 @@ struct PointSet {
     y.push_back(y_);
     q.push_back(q_);
     sigma_q.push_back(sigma_q_);
+  }
+
+  /// Replaces them by every `step`-th of others.
+  void take_every(int step, const PointSet& all) {
+    const auto take = [step](const std::vector<float>& from, std::vector<float>& to) {
+      const auto each = static_cast<std::size_t>(step);
+      to.resize((from.size() + each - 1) / each);
+      for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i * each];
+    };
+    for (const auto field : {&PointSet::u, &PointSet::v, &PointSet::x, &PointSet::y, &PointSet::q, &PointSet::sigma_q})
+      take(all.*field, this->*field);
+    for (const auto field : {&PointSet::intensity, &PointSet::gu, &PointSet::gv})
+      for (std::size_t level = 0; level < kMaxLevels; ++level) take((all.*field)[level], (this->*field)[level]);
+    levels = all.levels;
   }
 };
 

@@ -88,13 +88,13 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
     for (int x = 0; x < box.width; x += step)
       if (mask(x, y) && depth(x, y) > 0) values.push_back(depth(x, y));
   if (values.size() < 10) return out;
-  const auto percentile = [&](double p) {
-    const auto k = static_cast<std::ptrdiff_t>(p * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + k, values.end());
-    return values[static_cast<std::size_t>(k)];
+  const auto rank = [&](double p) {
+    return values.begin() + static_cast<std::ptrdiff_t>(p * static_cast<double>(values.size() - 1));
   };
-  const float far = percentile(0.2), near = percentile(0.8);
-  out.median_q = percentile(0.5);
+  const auto at = [](auto first, auto nth, auto last) { return std::nth_element(first, nth, last), *nth; };
+  const auto middle = rank(0.5);
+  out.median_q = at(values.begin(), middle, values.end());
+  const float far = at(values.begin(), rank(0.2), middle), near = at(middle + 1, rank(0.8), values.end());
   const float z = 1 / out.median_q;
   const float widen = std::min(3.5f, 0.25f * z + (1 / far - 1 / near));
   const float sigma = static_cast<float>(select.noise.pixel(out.median_q)), slack = 4 * sigma;

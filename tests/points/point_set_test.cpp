@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/points/point_set.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using dot::PointSet;
+
+/// Point i has u = i, v = 10 i, ..., and on level l an intensity of 100 l + i. They have no gradients.
+PointSet numbered(int count) {
+  PointSet points;
+  points.levels = 2;
+  for (int i = 0; i < count; ++i) {
+    const auto n = static_cast<float>(i);
+    points.push(n, 10 * n, 20 * n, 30 * n, 40 * n, 50 * n);
+    for (std::size_t l = 0; l < 2; ++l) points.intensity[l].push_back(100 * static_cast<float>(l) + n);
+  }
+  return points;
+}
+
+TEST(PointSet, TakesEveryThirdWithAllThatBelongsToIt) {
+  PointSet few = numbered(30);  // to be replaced
+  few.take_every(3, numbered(8));
+  ASSERT_EQ(few.size(), 3);
+  EXPECT_EQ(few.levels, 2);
+  EXPECT_EQ(few.u, (std::vector<float>{0, 3, 6}));
+  EXPECT_EQ(few.v, (std::vector<float>{0, 30, 60}));
+  EXPECT_EQ(few.x, (std::vector<float>{0, 60, 120}));
+  EXPECT_EQ(few.y, (std::vector<float>{0, 90, 180}));
+  EXPECT_EQ(few.q, (std::vector<float>{0, 120, 240}));
+  EXPECT_EQ(few.sigma_q, (std::vector<float>{0, 150, 300}));
+  EXPECT_EQ(few.intensity[0], (std::vector<float>{0, 3, 6}));
+  EXPECT_EQ(few.intensity[1], (std::vector<float>{100, 103, 106}));
+  EXPECT_TRUE(few.gu[0].empty());
+}
+
+TEST(PointSet, TakesAllOrNone) {
+  PointSet few;
+  few.take_every(1, numbered(5));
+  EXPECT_EQ(few.u, numbered(5).u);
+  few.take_every(4, PointSet{});
+  EXPECT_EQ(few.size(), 0);
+}
+
+}  // namespace

@@ -21,8 +21,9 @@ DOT_BEGIN_NAMESPACE
 /// The contours of cast shadows lie on the road, outside every mask, with correct depth, and move with their cars; near
 /// asphalt has little else. Under Huber's cost the motion that follows them can be the lower minimum. So several
 /// starts are refined, each a candidate, and the one of least *redescending* cost is taken, all judged with the same
-/// residual scale: coarse to fine from constant velocity and, before that, from what the host expects; the same on fine
-/// levels only; standing still; and shifts of those along the direction that the points determine least.
+/// residual scale and by the points that both see (PointCosts): coarse to fine from constant velocity and, before that,
+/// from what the host expects; the same on fine levels only; standing still; and shifts of those along the direction
+/// that the points determine least.
 ///
 /// Without a velocity to start from, the lowest minimum found may be one of many: on an even road standing still, or a
 /// dash of its markings further, looks nearly as right as the truth. `accepts` then asks for a better correlation, and

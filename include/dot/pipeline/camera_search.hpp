@@ -42,7 +42,7 @@ struct CameraSearch {
     for (auto& place : tried) {
       const SE3d found = place.second;
       workspace.starts.push_back({found});
-      for (int round = 0; round < 2; ++round) improve(problem, depth, sigma, aligner, place);
+      if (improve(problem, depth, sigma, aligner, place)) improve(problem, depth, sigma, aligner, place);
       if (pose_distance(problem.points, problem.camera, found, place.second) > 0)
         workspace.near.push_back({place.second});
     }
@@ -150,8 +150,9 @@ struct CameraSearch {
   }
 
   /// Moves a place to the best of some that are turned a little more, then of some that are shifted.
+  /// @return whether one was better.
   template <typename Camera, typename Aligner>
-  void improve(const AlignProblem<Camera>& problem, double depth, double sigma, Aligner& aligner,
+  bool improve(const AlignProblem<Camera>& problem, double depth, double sigma, Aligner& aligner,
                std::pair<double, SE3d>& place) const {
     const int level = level_of(std::min(problem.points.levels, problem.image.size()));
     const auto take_better = [&](const SE3d& step, const SE3d& from) {
@@ -161,11 +162,13 @@ struct CameraSearch {
     };
     const double turn = 2 * (1 << level) / problem.camera.intrinsics().fx;
     const double shift = 0.5 * std::min(metres, depth) / kSteps;
+    const double cost_before = place.first;
     const SE3d unturned = place.second;
     for (int y = -2; y <= 2; ++y)
       for (int x = -2; x <= 2; ++x) take_better(turn_by({x * turn, y * turn, 0}), unturned);
     const SE3d unshifted = place.second;
     for (int z = -4; z <= 4; ++z) take_better(SE3d::translation(Vector3<double>(0, 0, z * shift)), unshifted);
+    return place.first < cost_before;
   }
 };
 

@@ -23,13 +23,16 @@ struct Given {
   }
 };
 
-PointCosts costs_of(Given given) {
+void add(Given given, PointCosts& costs) {
   const dot::Pinhole camera(dot::test::small_camera());
   const dot::PointSet points;
   const dot::Pyramid image;
   const dot::AlignProblem<dot::Pinhole> problem{points, image, camera};
-  PointCosts costs;
   for (std::size_t i = 0; i < given.costs.size(); ++i) costs.add(problem, {}, static_cast<int>(i), 1, given);
+}
+PointCosts costs_of(const Given& given) {
+  PointCosts costs;
+  add(given, costs);
   return costs;
 }
 
@@ -64,6 +67,18 @@ TEST(PointCosts, TheFirstOfEqualsIsTheBest) {
   costs.remove(1);
   EXPECT_EQ(costs.best(0), 2u);
   costs.remove(2);
+  EXPECT_EQ(costs.best(0), 0u);
+}
+
+TEST(PointCosts, PlacesKeepTheirNumbers) {
+  PointCosts costs = costs_of({{points(200, 2), points(200, 3)}});
+  costs.remove(0);
+  add({{points(200, 1)}}, costs);
+  EXPECT_EQ(costs.best(0), 2u);
+  costs.remove(2);
+  EXPECT_EQ(costs.best(0), 1u);
+  costs.clear();
+  add({{points(200, 5)}}, costs);
   EXPECT_EQ(costs.best(0), 0u);
 }
 

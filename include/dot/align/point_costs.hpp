@@ -17,12 +17,15 @@ DOT_BEGIN_NAMESPACE
 /// ahead.
 class PointCosts {
  public:
-  void clear() { open_.clear(); }
+  void clear() {
+    open_.clear();
+    count_ = 0;
+  }
 
   /// Adds a place, with the Tukey costs of a level at a given sigma_I.
   template <typename Camera, typename Aligner>
   void add(const AlignProblem<Camera>& problem, const AlignState& state, int level, double sigma, Aligner& aligner) {
-    const std::size_t place = open_.size();
+    const std::size_t place = count_++;
     if (place == costs_.size()) costs_.emplace_back();
     aligner.point_costs(problem, state, level, sigma, costs_[place]);
     open_.push_back(place);
@@ -78,6 +81,7 @@ class PointCosts {
   }
 
   std::vector<std::vector<float>> costs_;  ///< of each place and point, negative where it is not seen
+  std::size_t count_ = 0;                  ///< of places; those beyond are memory for more
   std::vector<std::size_t> open_;          ///< places that were not removed
 };
 

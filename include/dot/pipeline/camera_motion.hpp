@@ -57,6 +57,7 @@ struct CameraMotionEstimator {
       add({predicted[i], found.gain, found.offset}, fine);
     }
     if (predicted.back().log().norm() > 1e-3) add({SE3d{}, first.gain, first.offset}, top);
+    // Of these too, a minimum must see min_points.
     workspace.few.take_every(std::max(1, points.size() / kRanked), points);
     const AlignProblem<Camera> few{workspace.few, image, camera};
     if (search) {

@@ -39,14 +39,14 @@ Pyramid pyramid_of(const Rendering& view) {
 
 /// From standing still at `reference`, without a velocity.
 Alignment found(const Rendering& reference, const Rendering& current, double metres, double radians = 0.12,
-                const Pinhole& by = camera) {
+                const Pinhole& by = camera, const CameraMotionEstimator& estimator = {}) {
   const Pyramid before = pyramid_of(reference);
   const PointSet points = exact_points(
       reference, by, before, 4, [](int, int) { return true; }, 0.001f);
   DirectAligner<> aligner;
   dot::MinimaWorkspace workspace;
   const dot::CameraSearch search{metres, radians, before, {}};
-  return CameraMotionEstimator{}.estimate(points, pyramid_of(current), by, {SE3d{}}, &search, aligner, workspace);
+  return estimator.estimate(points, pyramid_of(current), by, {SE3d{}}, &search, aligner, workspace);
 }
 
 class FarForward : public testing::TestWithParam<double> {};
@@ -62,6 +62,19 @@ TEST_P(FarForward, IsFoundWithoutAPrediction) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Metres, FarForward, testing::Values(0.5, 3.0, 6.0, -3.0));
+
+// Of a search's minima a part of the points tells, however many a host asks for.
+TEST(CameraSearch, FindsWhatManyPointsMustSee) {
+  Scene scene;
+  scene.bodies.push_back(yard(100));
+  const SE3d T_world_camera = SE3d::translation(Vector3<double>(0, 0, 6));
+  CameraMotionEstimator estimator;
+  estimator.settings.min_points = 1000;
+  const Alignment a =
+      found(scene.render(camera, SE3d{}), scene.render(camera, T_world_camera), 18, 0.12, camera, estimator);
+  EXPECT_LT((a.state.T.t + T_world_camera.t).norm(), 0.06) << a.state.T.t.transpose();
+  EXPECT_TRUE(estimator.accepts(a, false)) << "seen " << a.seen << " phi " << a.phi << " margin " << a.margin;
+}
 
 /// Of the camera in the world: axis times degrees, and metres ahead.
 struct Turn {

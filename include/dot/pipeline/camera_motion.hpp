@@ -57,7 +57,6 @@ struct CameraMotionEstimator {
       add({predicted[i], found.gain, found.offset}, fine);
     }
     if (predicted.back().log().norm() > 1e-3) add({SE3d{}, first.gain, first.offset}, top);
-    // Of these too, a minimum must see min_points.
     workspace.few.take_every(std::max(1, points.size() / kRanked), points);
     const AlignProblem<Camera> few{workspace.few, image, camera};
     if (search) {
@@ -78,8 +77,9 @@ struct CameraMotionEstimator {
       return std::none_of(predicted.begin(), predicted.end(),
                           [&](const SE3d& other) { return search->reaches(T * other.inverse()); });
     };
+    int enough = search ? std::min(settings.min_points, kEnoughRanked) : settings.min_points;
     const auto tells_nothing = [&](const Alignment& a) {
-      return a.seen < settings.min_points || a.state.gain < kMinGain || (search && far_off(a.state.T));
+      return a.seen < enough || a.state.gain < kMinGain || (search && far_off(a.state.T));
     };
     minima.drop_if(tells_nothing);
     double sigma = std::numeric_limits<double>::infinity();
@@ -93,6 +93,7 @@ struct CameraMotionEstimator {
       shifted(few, minima.found[i], fine, sigma, depth, aligner, workspace);
       for (const AlignState& start : starts) add(start, fine);
     }
+    enough = settings.min_points;
     minima.drop_if(tells_nothing);
     std::vector<Alignment>& candidates = minima.found;
     if (fine > 0)
@@ -112,6 +113,7 @@ struct CameraMotionEstimator {
   static constexpr double kMinGain = 0.2;         ///< of the exposure between two frames
   static constexpr std::size_t kCompared = 8;     ///< minima whose neighbours are looked at
   static constexpr int kRanked = 800;             ///< points by which many places are ranked, at least
+  static constexpr int kEnoughRanked = 100;       ///< of these that a minimum must see, or min_points, if fewer
   static constexpr int kShifts = 6;               ///< to either side
   static constexpr double kAnotherMinimum = 5.0;  ///< pixels between the points' places at this one and at another
 

@@ -40,11 +40,10 @@ struct CameraSearch {
     workspace.starts.clear();
     workspace.near.clear();
     for (auto& place : tried) {
-      const SE3d found = place.second;
-      workspace.starts.push_back({found});
-      if (improve(problem, depth, sigma, aligner, place)) improve(problem, depth, sigma, aligner, place);
-      if (pose_distance(problem.points, problem.camera, found, place.second) > 0)
-        workspace.near.push_back({place.second});
+      workspace.starts.push_back({place.second});
+      if (!improve(problem, depth, sigma, aligner, place)) continue;
+      improve(problem, depth, sigma, aligner, place);
+      workspace.near.push_back({place.second});
     }
   }
 

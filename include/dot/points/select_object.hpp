@@ -92,9 +92,9 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
     return values.begin() + static_cast<std::ptrdiff_t>(p * static_cast<double>(values.size() - 1));
   };
   const auto at = [](auto first, auto nth, auto last) { return std::nth_element(first, nth, last), *nth; };
-  const auto middle = rank(0.5);
-  out.median_q = at(values.begin(), middle, values.end());
-  const float far = at(values.begin(), rank(0.2), middle), near = at(middle + 1, rank(0.8), values.end());
+  const auto half = rank(0.5);
+  out.median_q = at(values.begin(), half, values.end());
+  const float far = at(values.begin(), rank(0.2), half), near = at(half + 1, rank(0.8), values.end());
   const float z = 1 / out.median_q;
   const float widen = std::min(3.5f, 0.25f * z + (1 / far - 1 / near));
   const float sigma = static_cast<float>(select.noise.pixel(out.median_q)), slack = 4 * sigma;

@@ -56,7 +56,7 @@ TEST(Tukey, IsQuadraticThenConstant) {
 TEST(Tukey, OfManyIsThatOfEach) {
   Random random(9);
   for (const std::size_t n : {0, 1, 3, 4, 5, 17, 255, 256, 257, 3001}) {
-    std::vector<float> r(n), extra(n), costs(n);
+    dot::Buffer<float> r(n), extra(n), costs(n);
     double with = 0, without = 0;
     const float s2 = 2.5f;
     for (std::size_t i = 0; i < n; ++i) {
@@ -98,10 +98,10 @@ TEST(Median, IsTheMiddleOfTheSorted) {
   Random random(8);
   for (int n = 1; n < 400; n += n < 110 ? 1 : 37)
     for (const double spread : {0.0, 1e-3, 2.0, 30.0}) {
-      std::vector<float> values;
+      dot::Buffer<float> values;
       for (int i = 0; i < n; ++i) values.push_back(static_cast<float>(std::exp(spread * random.normal(1))));
       for (int i = 0; i < n / 7; ++i) values[static_cast<std::size_t>(i)] = i % 2 ? 0.f : values.back();
-      std::vector<float> sorted = values;
+      dot::Buffer<float> sorted = values;
       std::sort(sorted.begin(), sorted.end());
       EXPECT_EQ(dot::median_of_magnitudes(values), sorted[static_cast<std::size_t>(n / 2)]) << n << " " << spread;
     }
@@ -109,14 +109,14 @@ TEST(Median, IsTheMiddleOfTheSorted) {
 
 TEST(MadSigma, IsTheStandardDeviationOfANormal) {
   Random random(9);
-  std::vector<float> absolute;
+  dot::Buffer<float> absolute;
   for (int i = 0; i < 20001; ++i) absolute.push_back(std::abs(static_cast<float>(random.normal(3))));
   EXPECT_NEAR(mad_sigma(absolute), 3, 0.1);  // 4 sigma: 1.17 sigma / sqrt(n) each
 }
 
 TEST(MadSigma, HardlyMindsOutliers) {
   Random random(10);
-  std::vector<float> absolute;
+  dot::Buffer<float> absolute;
   for (int i = 0; i < 10001; ++i)
     absolute.push_back(static_cast<float>(i % 5 == 0 ? random.uniform(30, 200) : std::abs(random.normal(3))));
   EXPECT_GT(mad_sigma(absolute), 3);
@@ -124,7 +124,7 @@ TEST(MadSigma, HardlyMindsOutliers) {
 }
 
 TEST(MadSigma, OfFewAndOfNone) {
-  std::vector<float> values;
+  dot::Buffer<float> values;
   EXPECT_EQ(mad_sigma(values), 0);
   values = {2};
   EXPECT_NEAR(mad_sigma(values), 2.965, 1e-3);

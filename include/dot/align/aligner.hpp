@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -207,6 +208,7 @@ struct DirectAligner {
 
  private:
   static constexpr std::size_t kScalePoints = 1000;         ///< that tell the residual scale, to 4 %
+  static constexpr double kSettled = 0.005;                 ///< share of a scale by which an iteration may change it
   static constexpr double kStep = 0.02, kCoarseStep = 0.5;  ///< squared sigmas: smaller ones end level 0, or another
   static constexpr double kSameScale = 0.02;  ///< share by which two residual scales may differ and be the same
   static double sq(double x) { return x * x; }
@@ -241,7 +243,9 @@ struct DirectAligner {
       const float s2 = static_cast<float>(sigma * sigma);
       scratch_.resize(n);
       for (std::size_t i = 0; i < n; ++i) scratch_[i] = squares_[i] / (s2 + extra_[i]);
-      sigma = std::max(settings.min_intensity_sigma, sigma * sigma_of_median_square());
+      const double before =
+          std::exchange(sigma, std::max(settings.min_intensity_sigma, sigma * sigma_of_median_square()));
+      if (std::abs(sigma - before) < kSettled * before) break;
     }
     return sigma;
   }
@@ -344,7 +348,7 @@ struct DirectAligner {
 
   PointResiduals residuals_;
   std::vector<std::uint8_t> excluded_;
-  std::vector<float> scratch_, squares_, extra_;
+  Buffer<float> scratch_, squares_, extra_;
 };
 
 DOT_END_NAMESPACE

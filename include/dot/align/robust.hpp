@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <vector>
 
 #include "dot/abi.hpp"
+#include "dot/image/buffer.hpp"
 #include "dot/kernel/lanes.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -81,7 +81,7 @@ inline void tukey_costs(const float* r, const float* extra, std::size_t n, float
 ///
 /// The bits of such floats are in the order of their values. Counting the values by their leading bits (eight bins an
 /// octave) leaves the few of one bin to be ordered.
-inline float median_of_magnitudes(std::vector<float>& values) {
+inline float median_of_magnitudes(Buffer<float>& values) {
   if (values.empty()) return 0;
   std::size_t rank = values.size() / 2;
   if (values.size() > 100) {
@@ -114,6 +114,6 @@ inline float median_of_magnitudes(std::vector<float>& values) {
 constexpr float kSigmaOfMedian = 1.4826f;
 
 /// Standard deviation from the median absolute residual about zero. `scratch` is reordered or shortened.
-inline float mad_sigma(std::vector<float>& scratch) { return kSigmaOfMedian * median_of_magnitudes(scratch); }
+inline float mad_sigma(Buffer<float>& scratch) { return kSigmaOfMedian * median_of_magnitudes(scratch); }
 
 DOT_END_NAMESPACE

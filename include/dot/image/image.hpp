@@ -3,8 +3,8 @@
 #pragma once
 
 #include <algorithm>
-#include <vector>
 
+#include "dot/image/buffer.hpp"
 #include "dot/image/view.hpp"
 
 namespace dot {
@@ -40,7 +40,7 @@ class Image {
  private:
   int width_ = 0;
   int height_ = 0;
-  std::vector<T> pixels_;
+  Buffer<T> pixels_;
 };
 
 }  // namespace dot

@@ -148,25 +148,27 @@ struct CameraSearch {
     }
   }
 
-  /// Moves a place to the best of some that are turned a little more, then of some that are shifted.
+  /// Moves a place to the best of some that are turned a little more, about one axis, then the other, then of some that
+  /// are shifted.
   /// @return whether one was better.
   template <typename Camera, typename Aligner>
   bool improve(const AlignProblem<Camera>& problem, double depth, double sigma, Aligner& aligner,
                std::pair<double, SE3d>& place) const {
     const int level = level_of(std::min(problem.points.levels, problem.image.size()));
-    const auto take_better = [&](const SE3d& step, const SE3d& from) {
-      const SE3d T = step * from;
-      const double cost = aligner.rank(problem, {T}, level, sigma);
-      if (cost < place.first) place = {cost, T};
-    };
     const double turn = 2 * (1 << level) / problem.camera.intrinsics().fx;
     const double shift = 0.5 * std::min(metres, depth) / kSteps;
     const double cost_before = place.first;
-    const SE3d unturned = place.second;
-    for (int y = -2; y <= 2; ++y)
-      for (int x = -2; x <= 2; ++x) take_better(turn_by({x * turn, y * turn, 0}), unturned);
-    const SE3d unshifted = place.second;
-    for (int z = -4; z <= 4; ++z) take_better(SE3d::translation(Vector3<double>(0, 0, z * shift)), unshifted);
+    const auto take_best = [&](int n, auto&& step) {
+      const SE3d from = place.second;
+      for (int i = -n; i <= n; ++i) {
+        const SE3d T = step(i) * from;
+        const double cost = i == 0 ? place.first : aligner.rank(problem, {T}, level, sigma);
+        if (cost < place.first) place = {cost, T};
+      }
+    };
+    take_best(2, [&](int i) { return turn_by({i * turn, 0, 0}); });
+    take_best(2, [&](int i) { return turn_by({0, i * turn, 0}); });
+    take_best(4, [&](int i) { return SE3d::translation(Vector3<double>(0, 0, i * shift)); });
     return place.first < cost_before;
   }
 };

@@ -17,7 +17,7 @@ DOT_BEGIN_NAMESPACE
 
 /// Learns the size of the depth noise from the background, which stands still.
 ///
-/// The background of each frame is cut into patches of about the size of a car. Seen again, a patch's inverse depth
+/// Patches of about the size of a car are cut from the background of each frame. Seen again, a patch's inverse depth
 /// differs from what the camera motion predicts: the median difference of a patch is an error that its pixels share,
 /// the scatter about it that of single pixels. Over the patches the shared errors have heavier tails than a normal, so
 /// their sigma is that of the 85 % quantile; smoothed over time, they scale the priors of DepthNoise: against the
@@ -26,6 +26,7 @@ DOT_BEGIN_NAMESPACE
 struct DepthLearning {
   static constexpr int kWidth = 40, kHeight = 30, kStep = 4;  ///< pixels: patch and sampling
   static constexpr int kMinSamples = 40;                      ///< of the 80 of a patch
+  static constexpr int kPatches = 180;                        ///< of a frame that are enough
   static constexpr double kMinMotion = 1.5;                   ///< pixels, median over the samples
 
   /// Sampled patches of a frame.
@@ -83,8 +84,11 @@ struct DepthLearning {
     p.x.clear(), p.y.clear(), p.q.clear(), p.begin.clear();
     p.timestamp = timestamp;
     p.T_cur_ref = {};
-    for (int y0 = 0; y0 + kHeight <= inverse_depth.height(); y0 += kHeight)
-      for (int x0 = 0; x0 + kWidth <= inverse_depth.width(); x0 += kWidth) {
+    const int columns = inverse_depth.width() / kWidth, rows = inverse_depth.height() / kHeight;
+    const int every = std::max(1, columns * rows / kPatches);
+    for (int row = 0; row < rows; ++row)
+      for (int column = row % every; column < columns; column += every) {
+        const int x0 = column * kWidth, y0 = row * kHeight;
         const std::size_t begin = p.q.size();
         for (int y = y0 + kStep / 2; y < y0 + kHeight; y += kStep)
           for (int x = x0 + kStep / 2; x < x0 + kWidth; x += kStep) {

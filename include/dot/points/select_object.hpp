@@ -20,6 +20,9 @@ struct ObjectPoints {
 
 namespace selecting {
 
+/// Of a mask, that tell its percentiles of depth, at least.
+constexpr double kPercentilePixels = 1000;
+
 /// Which pixels of an object's box may be points, into work.mask: of its eroded mask, where its surface (work.surface)
 /// was measured, nothing nearer beside it that is not the object's.
 /// @param level 1/m, of what was not measured; 0: that may not.
@@ -83,7 +86,7 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
   const ImageView<const float> depth{frame.row(box.y) + box.x, box.width, box.height, frame.stride};
   std::vector<float>& values = work.values;
   values.clear();
-  const int step = area > 4000 ? 2 : 1;
+  const int step = std::max(1, static_cast<int>(std::sqrt(area / selecting::kPercentilePixels)));
   for (int y = 0; y < box.height; y += step)
     for (int x = 0; x < box.width; x += step)
       if (mask(x, y) && depth(x, y) > 0) values.push_back(depth(x, y));

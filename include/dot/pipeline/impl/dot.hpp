@@ -197,12 +197,12 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Dot<Camera, Classifier, Noise, Aligner>::add_background(Worker& worker) {
   const Selector<Camera, Noise> select = selector(current_, worker);
   // What no object covers, with a margin for ragged outlines.
-  const int width = ids_.width(), height = ids_.height();
+  const int width = labels_.width(), height = labels_.height();
   background_mask_.resize(width, height);
   for (int y = 0; y < height; ++y) {
-    const std::uint32_t* id = ids_.row(y);
+    const std::uint8_t* label = labels_.row(y);
     std::uint8_t* out = background_mask_.row(y);
-    for (int x = 0; x < width; ++x) out[x] = id[x] ? 0 : 255;
+    for (int x = 0; x < width; ++x) out[x] = label[x] ? 0 : 255;
   }
   erode<4>(std::as_const(background_mask_).view(), mask_rows_, background_mask_.view());
   if constexpr (std::is_same_v<Noise, DepthNoise>)

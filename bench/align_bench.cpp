@@ -51,30 +51,22 @@ void BM_Pyramid(benchmark::State& state) {
   pixels(state, pair);
 }
 
-void BM_InverseDepth(benchmark::State& state) {
+void build_depth(benchmark::State& state, int max_levels) {
   const Pair& pair = pair_of(static_cast<int>(state.range(0)));
-  dot::DepthPyramid depth;
-  depth.levels.resize(1);
+  const dot::ImageRef depth = pair.reference.depth_ref();
+  const int levels = dot::pyramid_levels(depth.width, depth.height, max_levels);
+  const dot::kernel::Kernels& kernels = *dot::find_kernels();
+  dot::DepthPyramid pyramid;
   for (auto _ : state) {
-    dot::to_inverse_depth(pair.reference.depth_ref(), 400, depth.levels[0], *dot::find_kernels());
-    benchmark::DoNotOptimize(depth.levels[0].row(0));
+    pyramid.build(depth.width, depth.height, dot::InverseDepthRows(depth, 400, kernels), levels, kernels);
+    benchmark::DoNotOptimize(pyramid.levels[0].row(0));
     benchmark::ClobberMemory();
   }
   pixels(state, pair);
 }
-
-void BM_DepthPyramid(benchmark::State& state) {
-  const Pair& pair = pair_of(static_cast<int>(state.range(0)));
-  const int levels = dot::pyramid_levels(pair.reference.grey.width(), pair.reference.grey.height(), 5);
-  dot::DepthPyramid depth;
-  depth.levels.resize(1);
-  dot::to_inverse_depth(pair.reference.depth_ref(), 400, depth.levels[0]);
-  for (auto _ : state) {
-    depth.build(levels, *dot::find_kernels());
-    benchmark::ClobberMemory();
-  }
-  pixels(state, pair);
-}
+void BM_InverseDepth(benchmark::State& state) { build_depth(state, 1); }
+/// The inverse depth and the levels above it.
+void BM_DepthPyramid(benchmark::State& state) { build_depth(state, 5); }
 
 /// range(1): budget of points.
 void BM_Select(benchmark::State& state) {

@@ -29,18 +29,18 @@ class WholeAlignment {
     select();
   }
   void build(const ImageRef& image, const ImageRef& depth) {
-    to_grey(image, grey_);
-    pyramid_.build(grey_.view(), pyramid_levels(image.width, image.height, aligner.settings.max_levels),
-                   *aligner.reduction.kernels);
-    to_inverse_depth(depth, selection.max_depth, inverse_depth_, *aligner.reduction.kernels);
+    const kernel::Kernels& kernels = *aligner.reduction.kernels;
+    pyramid_.build(image.width, image.height, GreyRows(image, grey_rows_),
+                   pyramid_levels(image.width, image.height, aligner.settings.max_levels), kernels);
+    depth_.build(image.width, image.height, InverseDepthRows(depth, selection.max_depth, kernels), 1, kernels);
   }
   void select() {
     const Selector<Pinhole, DepthNoise> selector{
-        camera_, noise_, pyramid_, inverse_depth_.view(), selection, workspace_, *aligner.reduction.kernels};
+        camera_, noise_, pyramid_, depth_.levels[0].view(), selection, workspace_, *aligner.reduction.kernels};
     points_.clear();
     SelectionRegion whole;
     whole.box = {0, 0, camera_.width(), camera_.height()};
-    whole.surface = inverse_depth_.view();
+    whole.surface = depth_.levels[0].view();
     whole.budget = selection.background_points, whole.radius = selection.window_radius;
     whole.min_gradient = selection.min_gradient;
     selector(whole, points_);
@@ -61,9 +61,9 @@ class WholeAlignment {
  private:
   Pinhole camera_;
   DepthNoise noise_;
-  Image<std::uint8_t> grey_;
+  Image<std::uint8_t> grey_rows_;
   Pyramid pyramid_;
-  Image<float> inverse_depth_;
+  DepthPyramid depth_;
   SelectionWorkspace workspace_;
   PointSet points_, reference_;
 };

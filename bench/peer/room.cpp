@@ -13,6 +13,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "dot/image/opencv.hpp"
 #include "dot/kernel/dispatch.hpp"
 #include "dot/pipeline/options.hpp"
 #include "measure.hpp"

@@ -34,6 +34,19 @@ struct Coloured {
   }
 };
 
+void to_grey(const ImageRef& image, Image<std::uint8_t>& grey) {
+  grey.resize(image.width, image.height);
+  Image<std::uint8_t> scratch;
+  dot::GreyRows rows(image, scratch);
+  for (int y = 0; y < image.height; ++y) std::copy_n(rows(y), image.width, grey.row(y));
+}
+
+void to_inverse_depth(const ImageRef& depth, double max_depth, Image<float>& q) {
+  q.resize(depth.width, depth.height);
+  const dot::InverseDepthRows rows(depth, max_depth);
+  for (int y = 0; y < depth.height; ++y) rows(y, q.row(y));
+}
+
 /// Luminance of ITU-R BT.601.
 double luminance(double red, double green, double blue) { return 0.299 * red + 0.587 * green + 0.114 * blue; }
 
@@ -42,13 +55,13 @@ struct ColourOrder {
   int red, green, blue;
 };
 
-class ToGrey : public ::testing::TestWithParam<ColourOrder> {};
+class GreyRows : public ::testing::TestWithParam<ColourOrder> {};
 
-TEST_P(ToGrey, WeighsTheRightChannels) {
+TEST_P(GreyRows, WeighsTheRightChannels) {
   const ColourOrder order = GetParam();
   const Coloured image(order.format, 11);
   Image<std::uint8_t> grey;
-  dot::to_grey(image.ref, grey);
+  to_grey(image.ref, grey);
   ASSERT_EQ(grey.width(), Coloured::width);
   ASSERT_EQ(grey.height(), Coloured::height);
   for (int y = 0; y < grey.height(); ++y)
@@ -59,85 +72,99 @@ TEST_P(ToGrey, WeighsTheRightChannels) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, ToGrey,
+INSTANTIATE_TEST_SUITE_P(Formats, GreyRows,
                          ::testing::Values(ColourOrder{PixelFormat::Bgr8, 2, 1, 0},
                                            ColourOrder{PixelFormat::Rgb8, 0, 1, 2},
                                            ColourOrder{PixelFormat::Bgra8, 2, 1, 0}));
 
-TEST(ToGreyOfGrey, IsACopy) {
+TEST(GreyRowsOfGrey, AreThose) {
   const Coloured image(PixelFormat::Grey8, 12);
   Image<std::uint8_t> grey(100, 90);  // of another frame
-  dot::to_grey(image.ref, grey);
+  to_grey(image.ref, grey);
   ASSERT_EQ(grey.width(), Coloured::width);
   ASSERT_EQ(grey.height(), Coloured::height);
   for (int y = 0; y < grey.height(); ++y)
     for (int x = 0; x < grey.width(); ++x) EXPECT_EQ(grey(x, y), image.channel(x, y, 0));
 }
 
-TEST(ToGreyOfColour, IgnoresAlpha) {
+TEST(GreyRowsOfColour, IgnoresAlpha) {
   Coloured image(PixelFormat::Bgra8, 13);
   Image<std::uint8_t> before, after;
-  dot::to_grey(image.ref, before);
+  to_grey(image.ref, before);
   for (int y = 0; y < Coloured::height; ++y)
     for (int x = 0; x < Coloured::width; ++x) {
       std::uint8_t& alpha = image.bytes[static_cast<std::size_t>(y * image.ref.stride + x * 4 + 3)];
       alpha = static_cast<std::uint8_t>(255 - alpha);
     }
-  dot::to_grey(image.ref, after);
+  to_grey(image.ref, after);
   for (int y = 0; y < Coloured::height; ++y)
     for (int x = 0; x < Coloured::width; ++x) EXPECT_EQ(before(x, y), after(x, y));
+}
+
+// They are made some at a time: none is overwritten too early, and the last few are made too.
+TEST(GreyRowsOfColour, LastAsLongAsPromised) {
+  constexpr int width = 3, height = 3 * dot::GreyRows::kAtOnce + 5;
+  std::vector<std::uint8_t> bytes;
+  for (int y = 0; y < height; ++y) bytes.insert(bytes.end(), 3 * width, static_cast<std::uint8_t>(2 * y));
+  Image<std::uint8_t> scratch;
+  dot::GreyRows rows({bytes.data(), width, height, 3 * width, PixelFormat::Bgr8}, scratch);
+  for (int y = 0; y < height; ++y) {
+    EXPECT_EQ(rows(y)[width - 1], 2 * y);
+    const int before = std::max(0, y - dot::GreyRows::kAtOnce);
+    EXPECT_EQ(rows(before)[0], 2 * before);
+  }
 }
 
 int measured(const Image<float>& q) {
   return static_cast<int>(std::count_if(q.row(0), q.row(q.height()), [](float v) { return v > 0; }));
 }
 
-TEST(ToInverseDepth, OfMetres) {
+TEST(InverseDepthRows, OfMetres) {
   const std::vector<float> metres{0.5f, 1, 2, 8, 79.9f, 3};
   Image<float> q;
-  dot::to_inverse_depth({metres.data(), 3, 2, 12, PixelFormat::DepthF32}, 80, q);
+  to_inverse_depth({metres.data(), 3, 2, 12, PixelFormat::DepthF32}, 80, q);
   EXPECT_EQ(measured(q), 6);
   for (int i = 0; i < 6; ++i) EXPECT_FLOAT_EQ(q(i % 3, i / 3), 1 / metres[static_cast<std::size_t>(i)]);
 }
 
-TEST(ToInverseDepth, WhatIsNoMeasurementIsZero) {
+TEST(InverseDepthRows, WhatIsNoMeasurementIsZero) {
   const float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   const std::vector<float> metres{0, -0.f, -1, -infinity, infinity, nan, -nan, 80, 80.1f, 1e30f, 40};
   Image<float> q;
   const int width = static_cast<int>(metres.size());
-  dot::to_inverse_depth({metres.data(), width, 1, width * 4, PixelFormat::DepthF32}, 80, q);
+  to_inverse_depth({metres.data(), width, 1, width * 4, PixelFormat::DepthF32}, 80, q);
   EXPECT_EQ(measured(q), 1);
   for (int x = 0; x + 1 < width; ++x) EXPECT_EQ(q(x, 0), 0) << metres[static_cast<std::size_t>(x)];
   EXPECT_FLOAT_EQ(q(width - 1, 0), 0.025f);
 }
 
-TEST(ToInverseDepth, SixteenBitsHaveTheirUnit) {
+TEST(InverseDepthRows, SixteenBitsHaveTheirUnit) {
   const std::vector<std::uint16_t> values{0, 500, 2560, 65535};
   Image<float> q;
   ImageRef depth{values.data(), 4, 1, 8, PixelFormat::DepthU16};
-  dot::to_inverse_depth(depth, 80, q);
+  to_inverse_depth(depth, 80, q);
   EXPECT_EQ(measured(q), 3);  // 1000 a metre by default
   EXPECT_EQ(q(0, 0), 0);
   EXPECT_FLOAT_EQ(q(1, 0), 2);
   EXPECT_FLOAT_EQ(q(2, 0), 1000.f / 2560);
   EXPECT_FLOAT_EQ(q(3, 0), 1000.f / 65535);
   depth.depth_units_per_metre = 256;
-  dot::to_inverse_depth(depth, 80, q);
+  to_inverse_depth(depth, 80, q);
   EXPECT_EQ(measured(q), 2);
   EXPECT_FLOAT_EQ(q(1, 0), 256.f / 500);
   EXPECT_FLOAT_EQ(q(2, 0), 0.1f);
   EXPECT_EQ(q(3, 0), 0);  // 256 m, too far
 }
 
-TEST(ToInverseDepth, ObeysTheStride) {
+TEST(InverseDepthRows, ObeysTheStride) {
   const std::vector<float> metres{1, 2, -7, 4, 5, -7};
   Image<float> q;
-  dot::to_inverse_depth({metres.data(), 2, 2, 12, PixelFormat::DepthF32}, 80, q);
+  to_inverse_depth({metres.data(), 2, 2, 12, PixelFormat::DepthF32}, 80, q);
   EXPECT_EQ(measured(q), 4);
   EXPECT_FLOAT_EQ(q(0, 1), 0.25f);
   EXPECT_FLOAT_EQ(q(1, 1), 0.2f);
   const std::vector<std::uint16_t> values{100, 200, 9, 9, 400, 500, 9, 9};
-  dot::to_inverse_depth({values.data(), 2, 2, 8, PixelFormat::DepthU16, 100}, 80, q);
+  to_inverse_depth({values.data(), 2, 2, 8, PixelFormat::DepthU16, 100}, 80, q);
   EXPECT_EQ(measured(q), 4);
   EXPECT_FLOAT_EQ(q(0, 1), 0.25f);
   EXPECT_FLOAT_EQ(q(1, 1), 0.2f);

@@ -9,13 +9,16 @@ namespace {
 using dot::DepthPyramid;
 using dot::Image;
 
+void fill(DepthPyramid& pyramid, int width, int height, int levels, float (*q)(int, int)) {
+  const auto row = [&](int y, float* out) {
+    for (int x = 0; x < width; ++x) out[x] = q(x, y);
+  };
+  pyramid.build(width, height, row, levels);
+}
+
 DepthPyramid make(int width, int height, int levels, float (*q)(int, int)) {
   DepthPyramid pyramid;
-  pyramid.levels.resize(1);
-  pyramid.levels[0].resize(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) pyramid.levels[0](x, y) = q(x, y);
-  pyramid.build(levels);
+  fill(pyramid, width, height, levels, q);
   return pyramid;
 }
 
@@ -52,8 +55,7 @@ TEST(DepthPyramid, HolesNeitherSpreadNorCount) {
 TEST(DepthPyramid, RebuildsInPlace) {
   DepthPyramid p = make(16, 16, 3, [](int, int) { return 0.5f; });
   const float* memory = p.levels[1].row(0);
-  p.levels[0].fill(0.25f);
-  p.build(3);
+  fill(p, 16, 16, 3, [](int, int) { return 0.25f; });
   EXPECT_EQ(p.levels[1].row(0), memory);
   EXPECT_EQ(p.levels[2](0, 0), 0.25f);
 }

@@ -2,48 +2,80 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 #include "dot/abi.hpp"
 #include "dot/image/image.hpp"
-#include "dot/image/opencv.hpp"
 #include "dot/kernel/portable_kernels.hpp"
 
 #include <opencv2/imgproc.hpp>
 
 DOT_BEGIN_NAMESPACE
 
-/// Luminance of an image of any colour format, 8 bit.
-inline void to_grey(const ImageRef& image, Image<std::uint8_t>& grey) {
-  grey.resize(image.width, image.height);
-  cv::Mat out = mat(grey.view());
-  const auto in = [&](int type) {
-    return cv::Mat(image.height, image.width, type, const_cast<void*>(image.data),
-                   static_cast<std::size_t>(image.stride));
-  };
-  switch (image.format) {
-    case PixelFormat::Bgr8: cv::cvtColor(in(CV_8UC3), out, cv::COLOR_BGR2GRAY); break;
-    case PixelFormat::Rgb8: cv::cvtColor(in(CV_8UC3), out, cv::COLOR_RGB2GRAY); break;
-    case PixelFormat::Bgra8: cv::cvtColor(in(CV_8UC4), out, cv::COLOR_BGRA2GRAY); break;
-    default: in(CV_8UC1).copyTo(out);
-  }
-}
+/// Luminance of the rows of an image of any colour format, 8 bit, made while they are asked for: little enough at once
+/// to stay in the cache.
+class GreyRows {
+ public:
+  static constexpr int kAtOnce = 32;  ///< rows
 
-/// Inverse depth in 1/m; 0 where there is no measurement: zero, negative, NaN, infinite or beyond `max_depth` metres.
-inline void to_inverse_depth(const ImageRef& depth, double max_depth, Image<float>& inverse_depth,
-                             const kernel::Kernels& kernels = portable_kernels()) {
-  inverse_depth.resize(depth.width, depth.height);
-  const bool words = depth.format == PixelFormat::DepthU16;
-  const double units_per_metre = words ? depth.depth_units_per_metre : 1;
-  const kernel::DepthUnits units{static_cast<float>(units_per_metre), static_cast<float>(1e-3 * units_per_metre),
-                                 static_cast<float>(max_depth * units_per_metre)};
-  for (int y = 0; y < depth.height; ++y) {
-    const void* row = static_cast<const unsigned char*>(depth.data) + y * depth.stride;
-    if (words)
-      kernels.invert_words(static_cast<const std::uint16_t*>(row), depth.width, units, inverse_depth.row(y));
-    else
-      kernels.invert_floats(static_cast<const float*>(row), depth.width, units, inverse_depth.row(y));
+  /// @param rows scratch.
+  GreyRows(const ImageRef& image, Image<std::uint8_t>& rows) : image_(image), rows_(rows) {
+    if (image.format != PixelFormat::Grey8) rows_.resize(image.width, 2 * kAtOnce);
   }
-}
+
+  /// Row y, which lasts until one more than kAtOnce below it is asked for.
+  const std::uint8_t* operator()(int y) {
+    if (image_.format == PixelFormat::Grey8) return static_cast<const std::uint8_t*>(image_.data) + y * image_.stride;
+    for (; end_ <= y; end_ += kAtOnce) convert(end_, std::min(kAtOnce, image_.height - end_));
+    return rows_.row(y % (2 * kAtOnce));
+  }
+
+ private:
+  void convert(int begin, int count) {
+    cv::Mat out(count, image_.width, CV_8UC1, rows_.row(begin % (2 * kAtOnce)));
+    const auto in = [&](int type) {
+      const auto* first = static_cast<const std::uint8_t*>(image_.data) + begin * image_.stride;
+      return cv::Mat(count, image_.width, type, const_cast<std::uint8_t*>(first),
+                     static_cast<std::size_t>(image_.stride));
+    };
+    switch (image_.format) {
+      case PixelFormat::Rgb8: cv::cvtColor(in(CV_8UC3), out, cv::COLOR_RGB2GRAY); break;
+      case PixelFormat::Bgra8: cv::cvtColor(in(CV_8UC4), out, cv::COLOR_BGRA2GRAY); break;
+      default: cv::cvtColor(in(CV_8UC3), out, cv::COLOR_BGR2GRAY);
+    }
+  }
+
+  ImageRef image_;
+  Image<std::uint8_t>& rows_;  ///< row y in row y % (2 kAtOnce)
+  int end_ = 0;                ///< of the rows that have been made
+};
+
+/// Rows of inverse depth in 1/m; 0 where there is no measurement: zero, negative, NaN, infinite or beyond `max_depth`
+/// metres.
+class InverseDepthRows {
+ public:
+  InverseDepthRows(const ImageRef& depth, double max_depth, const kernel::Kernels& kernels = portable_kernels())
+      : depth_(depth), kernels_(kernels), words_(depth.format == PixelFormat::DepthU16) {
+    const double units_per_metre = words_ ? depth.depth_units_per_metre : 1;
+    units_ = {static_cast<float>(units_per_metre), static_cast<float>(1e-3 * units_per_metre),
+              static_cast<float>(max_depth * units_per_metre)};
+  }
+
+  void operator()(int y, float* out) const {
+    const void* row = static_cast<const unsigned char*>(depth_.data) + y * depth_.stride;
+    if (words_)
+      kernels_.invert_words(static_cast<const std::uint16_t*>(row), depth_.width, units_, out);
+    else
+      kernels_.invert_floats(static_cast<const float*>(row), depth_.width, units_, out);
+  }
+
+ private:
+  ImageRef depth_;
+  const kernel::Kernels& kernels_;
+  bool words_;
+  kernel::DepthUnits units_;
+};
 
 DOT_END_NAMESPACE

@@ -6,6 +6,7 @@
 
 #include "dot/abi.hpp"
 #include "dot/image/image.hpp"
+#include "dot/image/levels.hpp"
 #include "dot/kernel/portable_kernels.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -16,15 +17,11 @@ DOT_BEGIN_NAMESPACE
 struct DepthPyramid {
   std::vector<Image<float>> levels;
 
-  /// Fills the levels above 0, which the caller has filled.
-  void build(int level_count, const kernel::Kernels& kernels = portable_kernels()) {
-    levels.resize(static_cast<std::size_t>(level_count));
-    for (std::size_t l = 1; l < levels.size(); ++l) {
-      const Image<float>& below = levels[l - 1];
-      levels[l].resize(below.width() / 2, below.height() / 2);
-      for (int y = 0; y < levels[l].height(); ++y)
-        kernels.halve_depth(below.row(2 * y), below.row(2 * y + 1), levels[l].width(), levels[l].row(y));
-    }
+  /// @param bottom bottom(y, out): row y of level 0, from the top.
+  template <typename Bottom>
+  void build(int width, int height, Bottom&& bottom, int level_count,
+             const kernel::Kernels& kernels = portable_kernels()) {
+    build_levels(width, height, level_count, bottom, kernels.halve_depth, levels);
   }
 };
 

@@ -13,11 +13,10 @@ namespace dot {
 /// @param rows scratch. @param out of the size of `in`, which it may be.
 template <int kReach, typename T, typename Pick>
 void pick_in_windows(ImageView<const T> in, Pick&& pick, Image<T>& rows, ImageView<T> out) {
+  constexpr int kRows = 2 * kReach + 1;  // the last ones are kept, row y in row y % kRows
   const int width = in.width, height = in.height;
-  rows.resize(width, height);
-  for (int y = 0; y < height; ++y) {
-    const T* from = in.row(y);
-    T* to = rows.row(y);
+  rows.resize(width, kRows);
+  const auto along = [&](const T* from, T* to) {
     const auto at_border = [&](int x) {
       T best = from[x];
       for (int i = std::max(x - kReach, 0); i <= std::min(x + kReach, width - 1); ++i) best = pick(best, from[i]);
@@ -31,14 +30,15 @@ void pick_in_windows(ImageView<const T> in, Pick&& pick, Image<T>& rows, ImageVi
       to[x] = best;
     }
     for (int x = inner_end; x < width; ++x) at_border(x);
-  }
-  for (int y = 0; y < height; ++y) {
-    const T* from[2 * kReach + 1];  // beyond the border the outermost row again, which changes nothing
-    for (int i = -kReach; i <= kReach; ++i) from[i + kReach] = rows.row(std::clamp(y + i, 0, height - 1));
+  };
+  for (int y = 0, next = 0; y < height; ++y) {
+    for (; next <= std::min(y + kReach, height - 1); ++next) along(in.row(next), rows.row(next % kRows));
+    const T* from[kRows];  // beyond the border the outermost row again, which changes nothing
+    for (int i = 0; i < kRows; ++i) from[i] = rows.row(std::clamp(y + i - kReach, 0, height - 1) % kRows);
     T* to = out.row(y);
     for (int x = 0; x < width; ++x) {
       T best = from[0][x];
-      for (int i = 1; i <= 2 * kReach; ++i) best = pick(best, from[i][x]);
+      for (int i = 1; i < kRows; ++i) best = pick(best, from[i][x]);
       to[x] = best;
     }
   }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "dot/abi.hpp"
 #include "dot/image/image.hpp"
+#include "dot/image/levels.hpp"
 #include "dot/kernel/portable_kernels.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -22,23 +24,23 @@ struct Pyramid {
   int height() const { return levels.empty() ? 0 : levels[0].height(); }
   int size() const { return static_cast<int>(levels.size()); }
 
+  /// @param grey_row grey_row(y): row y of the image; each is asked for, and those up to four above it again after it.
   /// @param blur_sigma pixels of level 0.
+  template <typename GreyRow>
+  void build(int width, int height, GreyRow&& grey_row, int level_count, const kernel::Kernels& kernels,
+             double blur_sigma = 0.8) {
+    const kernel::BlurWeights weights = blur_weights(blur_sigma);
+    const auto blurred_row = [&](int y, std::uint8_t* out) {
+      const std::uint8_t* rows[5];
+      for (int i = 0; i < 5; ++i) rows[i] = grey_row(std::clamp(y + i - 2, 0, height - 1));
+      kernels.blur(rows, width, weights, out);
+    };
+    build_levels(width, height, level_count, blurred_row, kernels.halve, levels);
+  }
   void build(ImageView<const std::uint8_t> grey, int level_count, const kernel::Kernels& kernels = portable_kernels(),
              double blur_sigma = 0.8) {
-    levels.resize(static_cast<std::size_t>(level_count));
-    levels[0].resize(grey.width, grey.height);
-    const kernel::BlurWeights weights = blur_weights(blur_sigma);
-    for (int y = 0; y < grey.height; ++y) {
-      const std::uint8_t* rows[5];
-      for (int i = 0; i < 5; ++i) rows[i] = grey.row(std::clamp(y + i - 2, 0, grey.height - 1));
-      kernels.blur(rows, grey.width, weights, levels[0].row(y));
-    }
-    for (std::size_t l = 1; l < levels.size(); ++l) {
-      const Image<std::uint8_t>& below = levels[l - 1];
-      levels[l].resize(below.width() / 2, below.height() / 2);
-      for (int y = 0; y < levels[l].height(); ++y)
-        kernels.halve(below.row(2 * y), below.row(2 * y + 1), levels[l].width(), levels[l].row(y));
-    }
+    build(
+        grey.width, grey.height, [&](int y) { return grey.row(y); }, level_count, kernels, blur_sigma);
   }
 
   /// Of a Gaussian; rounded from the outside, the rest goes to the middle.

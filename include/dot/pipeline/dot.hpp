@@ -88,7 +88,6 @@ class Dot {
   using TrackT = Track<typename Classifier::Memory>;
 
   struct Current {
-    Image<std::uint8_t> grey;
     Pyramid pyramid;
     DepthPyramid depth;
     double timestamp = 0;
@@ -254,7 +253,7 @@ class Dot {
   SplitWorkspace split_workspace_;
   Image<std::uint8_t> blocked_;          ///< where nothing is to be discovered
   Image<std::uint8_t> background_mask_;  ///< 255: no object there nor near
-  Image<std::uint8_t> mask_rows_;
+  Image<std::uint8_t> grey_rows_, mask_rows_;
   std::vector<SE3d> camera_starts_;
   std::vector<TrackT*> selected_;  ///< by `tracks_that`
   /// Buffers of what continues tracks by observed masks.

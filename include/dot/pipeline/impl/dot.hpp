@@ -104,14 +104,12 @@ void Dot<Camera, Classifier, Noise, Aligner>::build(const Frame& frame) {
   const int levels =
       pyramid_levels(frame.image.width, frame.image.height, std::min(options_.align.max_levels, PointSet::kMaxLevels));
   threads.run(2, [&](int, int part) {
-    if (part == 0) {
-      to_grey(frame.image, current_.grey);
-      current_.pyramid.build(current_.grey.view(), levels, kernels());
-    } else {
-      current_.depth.levels.resize(static_cast<std::size_t>(levels));
-      to_inverse_depth(frame.depth, options_.selection.max_depth, current_.depth.levels[0], kernels());
-      current_.depth.build(levels, kernels());
-    }
+    const int width = frame.image.width, height = frame.image.height;
+    if (part == 0)
+      current_.pyramid.build(width, height, GreyRows(frame.image, grey_rows_), levels, kernels());
+    else
+      current_.depth.build(width, height, InverseDepthRows(frame.depth, options_.selection.max_depth, kernels()),
+                           levels, kernels());
   });
 }
 

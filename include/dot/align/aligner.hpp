@@ -97,7 +97,7 @@ struct DirectAligner {
   template <typename Camera>
   void finish(const AlignProblem<Camera>& problem, Alignment& a) {
     residuals(problem, 0, a.state, a.sigma_intensity);
-    a.sigma_intensity = scale_of_residuals();
+    a.sigma_intensity = scale_of_residuals(a.sigma_intensity);
     excluded_.assign(static_cast<std::size_t>(problem.points.size()), 0);
     const PointResiduals& p = residuals_;
     const auto r2 = [&](std::size_t i) { return sq(static_cast<double>(p.r[i])); };
@@ -226,7 +226,8 @@ struct DirectAligner {
   }
 
   /// Robust sigma_I of the residuals that count, by fixed point: the median of squares is the square of the median.
-  double scale_of_residuals() {
+  /// @param sigma to start from; 0: what it would be without any other noise.
+  double scale_of_residuals(double sigma = 0) {
     const PointResiduals& p = residuals_;
     squares_.resize(p.size());
     extra_.resize(p.size());
@@ -237,8 +238,10 @@ struct DirectAligner {
       extra_[n] = p.extra[i];
       n += p.seen(i) && !(i < excluded_.size() && excluded_[i]);
     }
-    scratch_.assign(squares_.begin(), squares_.begin() + static_cast<std::ptrdiff_t>(n));
-    double sigma = std::max(settings.min_intensity_sigma, sigma_of_median_square());
+    if (sigma <= 0) {
+      scratch_.assign(squares_.begin(), squares_.begin() + static_cast<std::ptrdiff_t>(n));
+      sigma = std::max(settings.min_intensity_sigma, sigma_of_median_square());
+    }
     for (int pass = 0; pass < 3; ++pass) {
       const float s2 = static_cast<float>(sigma * sigma);
       scratch_.resize(n);
@@ -275,7 +278,7 @@ struct DirectAligner {
     for (int round = 0; round < 2; ++round) {
       const double scale_before = a.sigma_intensity;
       residuals(problem, level, a.state, a.sigma_intensity);
-      a.sigma_intensity = scale_of_residuals();
+      a.sigma_intensity = scale_of_residuals(a.sigma_intensity);
       if (round > 0 && a.converged && std::abs(a.sigma_intensity - scale_before) < kSameScale * scale_before) break;
       const ResidualNoise noise = residual_noise(a.sigma_intensity);
       AlignState accepted = a.state;

@@ -73,6 +73,7 @@ struct DepthLearning {
   void forget() {
     clear();
     change = common = pixel = {};
+    first_ = 0;
   }
 
   /// Cuts the frame's background. `background` is zero where objects are.
@@ -86,8 +87,9 @@ struct DepthLearning {
     p.T_cur_ref = {};
     const int columns = inverse_depth.width() / kWidth, rows = inverse_depth.height() / kHeight;
     const int every = std::max(1, columns * rows / kPatches);
+    first_ = (first_ + 1) % every;  // others in each frame
     for (int row = 0; row < rows; ++row)
-      for (int column = row % every; column < columns; column += every) {
+      for (int column = (row + first_) % every; column < columns; column += every) {
         const int x0 = column * kWidth, y0 = row * kHeight;
         const std::size_t begin = p.q.size();
         for (int y = y0 + kStep / 2; y < y0 + kHeight; y += kStep)
@@ -195,6 +197,7 @@ struct DepthLearning {
   }
   static float median(float* values, std::size_t size) { return quantile(values, size, 0.5); }
 
+  int first_ = 0;  ///< patch of the first row
   std::vector<Patches> spare_;
   std::vector<float> differences_, medians_, scatters_, motion_;
 };

@@ -12,6 +12,9 @@
 
 DOT_BEGIN_NAMESPACE
 
+/// Of a mask of `area` pixels, the 1000 or more in every so manieth row and column tell its middle and its depth.
+inline int sampling_step(int area) { return std::max(1, static_cast<int>(std::sqrt(area / 1000.0))); }
+
 /// What became of the selection of an object's points.
 struct ObjectPoints {
   int pixels_with_depth = 0;  ///< of the mask, on the object's surface
@@ -19,9 +22,6 @@ struct ObjectPoints {
 };
 
 namespace selecting {
-
-/// Of a mask, that tell its percentiles of depth, at least.
-constexpr double kPercentilePixels = 1000;
 
 /// Which pixels of an object's box may be points, into work.mask: of its eroded mask, where its surface (work.surface)
 /// was measured, nothing nearer beside it that is not the object's.
@@ -86,7 +86,7 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
   const ImageView<const float> depth{frame.row(box.y) + box.x, box.width, box.height, frame.stride};
   std::vector<float>& values = work.values;
   values.clear();
-  const int step = std::max(1, static_cast<int>(std::sqrt(area / selecting::kPercentilePixels)));
+  const int step = sampling_step(area);
   for (int y = 0; y < box.height; y += step)
     for (int x = 0; x < box.width; x += step)
       if (mask(x, y) && depth(x, y) > 0) values.push_back(depth(x, y));

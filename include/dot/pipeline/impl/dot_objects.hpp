@@ -221,7 +221,7 @@ Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask
   q.clear();
   double u = 0, v = 0;
   int n = 0;
-  const int step = mask.area > 4000 ? 2 : 1;  // a quarter of so many pixels tells it as well
+  const int step = sampling_step(mask.area);
   for (int y = 0; y < mask.height(); y += step)
     for (int x = 0; x < mask.width(); x += step) {
       if (!mask.pixels(x, y)) continue;

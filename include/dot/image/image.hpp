@@ -14,7 +14,11 @@ template <typename T>
 class Image {
  public:
   Image() = default;
-  Image(int width, int height) { resize(width, height); }
+  /// All zero.
+  Image(int width, int height) {
+    resize(width, height);
+    fill(T{});
+  }
 
   /// Takes the size; the contents are unspecified afterwards.
   void resize(int width, int height) {

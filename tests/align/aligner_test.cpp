@@ -232,6 +232,18 @@ TEST(AlignCamera, TheScaleDoesNotRememberOutliers) {
   EXPECT_EQ(used.intensity_sigma(pair.problem(), a.state, 0), fresh.intensity_sigma(pair.problem(), a.state, 0));
 }
 
+// A level starts from the scale of the coarser one, where the noise is averaged out.
+TEST(AlignCamera, TheScaleDoesNotDependOnItsStart) {
+  Degradation noisy;
+  noisy.noise = 12;
+  Pair pair(motion(0.05, -0.03, -0.1, 0.01, -0.02, 0.03), noisy);
+  for (std::size_t i = 0; i < pair.points.q.size(); ++i) pair.points.sigma_q[i] = 0.3f * pair.points.q[i];
+  DirectAligner<> aligner;
+  const Alignment a = aligner.align(pair.problem(), {pair.T_cur_ref}, kLevels - 1);
+  EXPECT_LT(aligner.intensity_sigma(pair.problem(), a.state, kLevels - 1), 0.5 * a.sigma_intensity);
+  EXPECT_NEAR(a.sigma_intensity, aligner.intensity_sigma(pair.problem(), a.state, 0), 0.03 * a.sigma_intensity);
+}
+
 TEST(AlignCamera, TukeyRanksTheMajorityFirstWhereHuberIsCaptured) {
   // A weakly textured room, and in it a small high-contrast thing that turns about the camera: to its points the
   // camera seems to have turned.

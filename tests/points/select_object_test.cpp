@@ -54,10 +54,10 @@ struct Crop {
   }
 };
 
-/// A car before the hopper's back wall.
-Scene street() {
+/// A car before the hopper's back wall, z metres ahead.
+Scene street(double z = 3.4) {
   Body body = box(car, {0.6, 0.5, 0.4}, 50, 0.12, 0.8);
-  body.T_world_body = {dot::so3::exp(Vector3<double>(0, 0.4, 0)), Vector3<double>(0.3, 0.1, 3.4)};
+  body.T_world_body = {dot::so3::exp(Vector3<double>(0, 0.4, 0)), Vector3<double>(0.3, 0.1, z)};
   return {{hopper(21), body}};
 }
 
@@ -211,11 +211,22 @@ struct Where {
   }
 };
 
+// Near the camera an object's own relief moves its parts by much more than a pixel against each other.
+TEST(SelectObject, WithDepthInLessThanAQuarterTakesNothingOfWhatIsNear) {
+  const Selected full(street(2), {});
+  EXPECT_TRUE(full.summary.shape_known);
+  EXPECT_GT(full.points.size(), 200);
+  const Selected s(street(2), {}, 0.1, 600, measured_on_the_left(0.22));
+  EXPECT_FALSE(s.summary.shape_known);
+  EXPECT_EQ(s.points.size(), 0);
+  EXPECT_TRUE(Selected(street(5), {}, 0.1, 600, measured_on_the_left(0.22)).summary.shape_known);
+}
+
 // The images say how it moves; where it is, a few depths say as well as many, and a plane through them says no more.
 TEST(SelectObject, WithDepthInLessThanAQuarterTakesTheWholeMaskAtOneLevel) {
   const auto spoil = measured_on_the_left(0.22);
-  const Selected full(street(), {});
-  const Selected s(street(), {}, 0.1, 600, spoil);
+  const Selected full(street(5), {});
+  const Selected s(street(5), {}, 0.1, 600, spoil);
   const Crop crop(s.truth.ids, car);
   const Where where(s, spoil);
   EXPECT_NEAR(s.summary.pixels_with_depth, 0.22 * crop.area, 0.03 * crop.area);

@@ -208,6 +208,7 @@ struct DirectAligner {
 
  private:
   static constexpr std::size_t kScalePoints = 1000;         ///< that tell the residual scale, to 4 %
+  static constexpr int kScalePasses = 20;                   ///< mostly two
   static constexpr double kSettled = 0.005;                 ///< share of a scale by which an iteration may change it
   static constexpr double kStep = 0.02, kCoarseStep = 0.5;  ///< squared sigmas: smaller ones end level 0, or another
   static constexpr double kSameScale = 0.02;  ///< share by which two residual scales may differ and be the same
@@ -242,7 +243,7 @@ struct DirectAligner {
       scratch_.assign(squares_.begin(), squares_.begin() + static_cast<std::ptrdiff_t>(n));
       sigma = std::max(settings.min_intensity_sigma, sigma_of_median_square());
     }
-    for (int pass = 0; pass < 3; ++pass) {
+    for (int pass = 0; pass < kScalePasses; ++pass) {
       const float s2 = static_cast<float>(sigma * sigma);
       scratch_.resize(n);
       for (std::size_t i = 0; i < n; ++i) scratch_[i] = squares_[i] / (s2 + extra_[i]);

@@ -19,9 +19,12 @@ inline int sampling_step(int area) { return std::max(1, static_cast<int>(std::sq
 struct ObjectPoints {
   int pixels_with_depth = 0;  ///< of the mask, on the object's surface
   float median_q = 0;         ///< 1/m
+  bool shape_known = false;   ///< by these pixels; else there are no points
 };
 
 namespace selecting {
+
+constexpr double kLevelRelief = 0.15;  ///< share of its distance: half an object's size, where a level may stand for it
 
 /// Which pixels of an object's box may be points, into work.mask: of its eroded mask, where its surface (work.surface)
 /// was measured, nothing nearer beside it that is not the object's.
@@ -74,7 +77,7 @@ inline void admit(ImageView<const float> frame, const Box& box, ImageView<const 
 /// Masks are ragged and leak: of the mask's depths only those count that lie between its 20th and 80th percentile,
 /// widened by what an object of this range and relief may extend. An object so far that its relief drowns in the depth
 /// noise shares one plane, and so does one that has depth in less than a quarter of its pixels; the plane then serves
-/// where nothing was measured too.
+/// where nothing was measured too. For one so near that its relief is a good part of its distance no plane serves.
 /// @param box of the mask in the frame; @param mask of the box's size, non-zero = object; @param area its pixels.
 template <typename Camera, typename Noise>
 ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box, ImageView<const std::uint8_t> mask,
@@ -122,10 +125,12 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
     flat = plane.inliers > 0;
   }
   if (4 * out.pixels_with_depth < area) {  // too few depths for planes of its own: all that is known is where it is
+    if (relief > selecting::kLevelRelief * static_cast<double>(out.median_q)) return out;
     flat = true;
     plane.variance = static_cast<float>(relief * relief);
     plane.inliers = 1;
   }
+  out.shape_known = true;
   if (flat) {
     // A tilt that the noise does not support would turn into spurious radial motion: keep the level.
     plane.du = plane.dv = 0;

@@ -256,7 +256,7 @@ Reason Dot<Camera, Classifier, Noise, Aligner>::make_reference(const Selector<Ca
   const ObjectPoints found =
       select_object(select, {mask.x, mask.y, mask.width(), mask.height()}, mask.pixels.view(), mask.area, r.points);
   if (r.points.size() < options_.object.min_points)
-    return found.pixels_with_depth < options_.object.min_points ? Reason::TooLittleDepth : Reason::TooLittleTexture;
+    return found.shape_known ? Reason::TooLittleTexture : Reason::TooLittleDepth;
   double x = 0, y = 0, q = 0;
   for (std::size_t i = 0; i < r.points.u.size(); ++i) x += r.points.x[i], y += r.points.y[i], q += r.points.q[i];
   const double n = r.points.size();

@@ -152,4 +152,40 @@ TEST(Grow, LeavesWhatTheSegmentationSaw) {
   }
 }
 
+// A pole stands before it; what has come in beyond is the object's as well. A broad thing would part it from others.
+TEST(Grow, GoesOnBehindWhatIsNarrow) {
+  for (const int width : {3, 4}) {  // the object's 10 x 20 pixels: a quarter of their root is 3
+    const Box pole{20 - width, 20, 0, kHeight, kNear, 0};
+    const auto segmented = render({{-20, 10, 20, 40, kObject, kId}, pole});
+    const auto current = render({{0, 20, 20, 40, kObject, 0}, {20, 30, 20, 40, kObject, kId}, pole});
+    const Grown found = grow(segmented, current, {20, 20, 10, 20}, back(20));
+    if (width > 3) {
+      expect_unchanged(found, current.ids, {20, 20, 10, 20});
+      continue;
+    }
+    EXPECT_EQ(found.gained, (20 - width) * 20);
+    EXPECT_EQ(found.box, (std::array<int, 4>{0, 20, 30, 20}));
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x)
+        ASSERT_EQ(found.ids(x, y), x < 30 && y >= 20 && y < 40 && !(x >= 17 && x < 20) ? kId : 0) << x << ' ' << y;
+  }
+}
+
+// Stereo measures nothing at the border of the image and beside edges. What was measured next to that may have hidden
+// the object there, if it is nearer; if it is farther, the segmentation would have shown the object.
+TEST(Grow, TakesWhatWasHiddenWhereNothingWasMeasured) {
+  for (const bool wall : {true, false}) {
+    auto segmented = render({{0, 24, 20, 40, kObject, kId}, {0, 12, 0, kHeight, wall ? kNear : kFar, 0}});
+    auto current = render({{10, 34, 20, 40, kObject, 0}, {22, 34, 20, 40, kObject, kId}});
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 10; x < 12; ++x) segmented.inverse_depth(x, y) = 0;  // there it would have been two pixels
+    current.inverse_depth(20, 25) = 0;                                  // and this may be anything
+    const Grown found = grow(segmented, current, {22, 20, 12, 20}, back(10));
+    // What is at columns 10 and 11 now may have stood there then.
+    EXPECT_EQ(found.gained, wall ? 10 * 20 - 1 : 0);
+    EXPECT_EQ(found.ids(20, 25), 0u);
+    EXPECT_EQ(found.ids(21, 25), wall ? kId : 0u);
+  }
+}
+
 }  // namespace

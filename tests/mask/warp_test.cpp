@@ -303,6 +303,35 @@ TEST(Warp, TrimsOccluderAndBackground) {
     for (int u = 0; u < kWidth; ++u)
       ASSERT_EQ(found.mask.at(u, v), source.mask.at(u, v) && !occluder(u, v) && !background(u, v)) << u << ' ' << v;
   EXPECT_EQ(found.mask.y + found.mask.height(), 250) << "the crop is tight after trimming";
+  EXPECT_EQ(found.confirmed_area, found.mask.area);
+  int hidden = 0;
+  for (int v = 0; v < kHeight; ++v)
+    for (int u = 280; u < 300; ++u) hidden += source.mask.at(u, v);
+  EXPECT_EQ(found.hidden_area, hidden);
+}
+
+// Two thirds of it are behind a wall that was not measured everywhere.
+TEST(Warp, CountsWhatSomethingNearerHides) {
+  const MaskTemplate source =
+      make([](int u, int v) { return u >= 200 && u < 300 && v >= 200 && v < 240; }, [](int, int) { return 0.1; });
+  for (const int edge : {260, 270}) {
+    Image<float> measured = plane_depth();
+    for (int v = 0; v < kHeight; ++v)
+      for (int u = 0; u < kWidth; ++u) {
+        if (u < edge) measured(u, v) = 0.2f;
+        if (u % 10 == 0) measured(u, v) = 0;
+      }
+    WarpedMask found = warp(source, SE3d(), measured.view());
+    EXPECT_EQ(found.hidden_area, (edge - 200) * 36);
+    EXPECT_EQ(found.confirmed_area, (300 - edge) * 36);
+    EXPECT_EQ(found.is_mostly_hidden(), edge == 270);
+    EXPECT_EQ(found.mask.area, (300 - edge) * 40 + (edge - 200) * 4);
+    dot::drop_unmeasured(measured.view(), found.mask);
+    EXPECT_EQ(found.mask.area, found.confirmed_area);
+    for (int v = 0; v < kHeight; ++v)
+      for (int u = 0; u < kWidth; ++u)
+        ASSERT_EQ(found.mask.at(u, v), u >= edge && source.mask.at(u, v) && u % 10 != 0) << u << ' ' << v;
+  }
 }
 
 TEST(Warp, KeepsWhatIsWithinTheTolerance) {

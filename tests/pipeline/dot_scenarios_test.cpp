@@ -330,6 +330,41 @@ TEST(Occlusion, WhatPassesBehindSomethingKeepsIdAndState) {
   EXPECT_GT(came_out, 8);
 }
 
+// Where it must be there is something nearer, in which a tenth of the pixels was not measured: neither shows it.
+TEST(Occlusion, ShowsNothingOfAMoverInTheHolesOfWhatHidesIt) {
+  Film<> film;
+  constexpr std::uint32_t near = 9;
+  film.add(mover, straight({-3.4, 1.3, 8.5}, {3, 0, 0}));
+  film.add(near, straight({0, 0.7, 4.6}));
+  film.spoil = [](int, Rendering& seen) {
+    for (int y = 0; y < seen.ids.height(); ++y)
+      for (int x = 0; x < seen.ids.width(); ++x) {
+        if (seen.ids(x, y) != near) continue;
+        seen.ids(x, y) = 0;
+        if ((x * 7 + y * 3) % 10 == 0) seen.depth(x, y) = 0;
+      }
+  };
+  film.edit = [](int i, Frame& frame) {
+    if (i > 4) frame.masks.reset();
+  };
+  Tracker tracker = make_tracker();
+  int whole = 0, mostly_hidden = 0;
+  for (int i = 0; i < 16; ++i) {
+    const Result& result = film.next(tracker);
+    int pixels = 0, wrong = 0;
+    for (int y = 0; y < film.truth().ids.height(); ++y)
+      for (int x = 0; x < film.truth().ids.width(); ++x) {
+        pixels += film.truth().ids(x, y) == mover;
+        wrong += film.truth().ids(x, y) == near && result.labels(x, y) == static_cast<int>(State::Moving);
+      }
+    whole = std::max(whole, pixels);
+    if (i < 5 || pixels > 0.2 * whole) continue;
+    ++mostly_hidden;
+    EXPECT_LT(wrong, 0.01 * whole) << i << " of " << whole;
+  }
+  EXPECT_GE(mostly_hidden, 2);
+}
+
 // Glass and rain have no depth, which would tell what they hide; that a nearer object was found there does.
 TEST(Occlusion, IsToldByTheNearerObjectWhereThereIsNoDepth) {
   Film<> film;

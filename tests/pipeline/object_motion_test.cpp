@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "dot/camera/depth_noise.hpp"
+#include "support/exact_points.hpp"
 #include "support/numeric_jacobian.hpp"
 #include "support/random.hpp"
 
@@ -184,6 +186,67 @@ TEST(Reversed, IsTheMotionForwards) {
     of_x.sigma = x * x.transpose();
     const Vector6<double> y = change.log();
     EXPECT_LT((of_x.reversed(C).sigma - y * y.transpose()).norm(), 1e-3 * x.squaredNorm());
+  }
+}
+
+/// A thing of fine texture that moves out from behind a pillar of coarse, strong texture; the camera stands.
+struct HalfHidden {
+  static constexpr int kLevels = 4;
+  const dot::Pinhole camera{dot::test::small_camera()};
+  const Vector3<double> velocity{2, 0, 0};
+  dot::ObjectReference reference;
+  dot::Pyramid image;
+  dot::DepthPyramid depth;
+  dot::Image<std::uint8_t> hidden;
+
+  explicit HalfHidden(unsigned seed) {
+    dot::test::Body body = dot::test::box(7, {0.7, 0.6, 0.4}, seed, 0.07, 0.15, 15);
+    body.T_world_body.t = {-0.1, 0, 3.4};
+    dot::test::Body pillar = dot::test::box(9, {0.35, 1.5, 0.2}, seed + 40, 0.3, 1, 70);
+    pillar.T_world_body.t = {-0.15, 0, 2.2};
+    dot::test::Scene scene{{dot::test::hopper(seed + 20, 1, 2.5, 60), body, pillar}};
+    const dot::test::Rendering before = scene.render(camera, SE3d{});
+    scene.bodies[1].T_world_body.t += velocity * dt;
+    const dot::test::Rendering now = scene.render(camera, SE3d{});
+    dot::Pyramid pyramid;
+    pyramid.build(before.grey.view(), kLevels);
+    image.build(now.grey.view(), kLevels);
+    const dot::Image<float> q = now.inverse_depth();
+    depth.build(
+        q.width(), q.height(), [&](int y, float* out) { std::copy_n(q.row(y), q.width(), out); }, kLevels);
+    hidden.resize(q.width(), q.height());
+    hidden.fill(0);
+    reference.points = dot::test::exact_points(
+        before, camera, pyramid, 4, [&](int x, int y) { return before.ids(x, y) == 7; }, 1e-4f);
+    for (std::size_t i = 0; i < reference.points.u.size(); ++i)
+      reference.centroid += Vector3<double>(reference.points.x[i], reference.points.y[i], 1) /
+                            (static_cast<double>(reference.points.q[i]) * reference.points.size());
+    reference.area = 16 * reference.points.size();
+    reference.intervals = 1;
+  }
+
+  ObjectFit fit(const dot::KnownVelocity& known) const {
+    ObjectMotionEstimator estimator;
+    dot::DirectAligner<> aligner;
+    dot::MinimaWorkspace workspace;
+    const dot::DepthNoise noise({}, dot::test::small_camera());
+    return estimator.fit(reference, dot::ObjectScene<dot::Pinhole>{image, camera, depth, hidden.view()},
+                         {SE3d::translation(velocity * dt * 1.05)}, known, dt, noise, aligner, workspace);
+  }
+};
+
+// Coarse levels mix what is seen of it with what stands before it, and stand still with that.
+TEST(ObjectFit, StaysWhereTheObjectIsKnownToBe) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const HalfHidden scene(seed);
+    EXPECT_EQ(scene.fit({}).reason, dot::Reason::LowCorrelation) << seed;
+    dot::KnownVelocity known;
+    known.velocity = scene.velocity;
+    known.covariance = 0.01 * dot::Matrix3<double>::Identity();
+    known.seconds = dt;
+    const ObjectFit fit = scene.fit(known);
+    EXPECT_TRUE(fit.ok()) << seed;
+    EXPECT_LT((fit.motion.velocity - scene.velocity).norm(), 0.2) << seed;
   }
 }
 

@@ -41,10 +41,24 @@ enum class Then : std::uint8_t {
   Other    ///< there was a surface that is not the object's
 };
 
-/// @param tolerance of inverse depths, relative
+/// Whether the measurement that is closest in the row, to the left or to the right, is nearer than q, 1/m: where stereo
+/// found nothing, at the image's border or beside an edge, what stands there may hide what is behind.
+inline bool beside_nearer(const Image<float>& inverse_depth, int x, int y, float q) {
+  const int reach = inverse_depth.width() / 40;
+  const float* row = inverse_depth.row(y);
+  for (const int step : {-1, 1})
+    for (int u = x + step; std::abs(u - x) <= reach && u >= 0 && u < inverse_depth.width(); u += step)
+      if (row[u] > 0 && std::isfinite(row[u])) {
+        if (row[u] > q) return true;
+        break;
+      }
+  return false;
+}
+
+/// @param tolerance of inverse depths, relative; @param measured_now whether q was: two guesses are no evidence
 template <typename Camera>
 Then then(const SegmentedFrame& frame, const SE3f& T_then_cur, const Camera& camera, const Vector3<float>& ray, float q,
-          float tolerance, std::uint32_t id) {
+          float tolerance, std::uint32_t id, bool measured_now) {
   const Vector3<float> X = T_then_cur.R * ray + T_then_cur.t * q;
   if (!(X.z() > 1e-3f)) return Then::Unseen;
   const Vector2<float> p = camera.project(X);
@@ -55,7 +69,11 @@ Then then(const SegmentedFrame& frame, const SE3f& T_then_cur, const Camera& cam
   const std::uint32_t label = frame.ids(x, y);
   const Then surface = label == id ? Then::Object : Then::Other;
   const float expected = q / X.z(), measured = frame.inverse_depth(x, y);
-  if (!(measured > 0) || !std::isfinite(measured)) return label == 0 || label == id ? surface : Then::Unseen;
+  if (!(measured > 0) || !std::isfinite(measured)) {
+    const bool free =
+        label == 0 && !(measured_now && beside_nearer(frame.inverse_depth, x, y, expected * (1 + tolerance)));
+    return free || label == id ? surface : Then::Unseen;
+  }
   if (measured > expected * (1 + tolerance)) return Then::Unseen;
   return measured < expected * (1 - tolerance) ? Then::Empty : surface;
 }
@@ -65,7 +83,7 @@ Then then(const SegmentedFrame& frame, const SE3f& T_then_cur, const Camera& cam
 /// Grows an object's pixels in `ids` into parts of it that the last segmentation could not see: what has come in over
 /// the image border since, or out from behind something.
 ///
-/// A free pixel (id 0) beside the object joins it when
+/// A free pixel (id 0) beside the object, or beside something narrow that stands before it, joins it when
 /// - its inverse depth continues the neighbour's,
 /// - it was unseen in the segmented frame if it moved with the object, out of the image or hidden. Where it would have
 ///   been visible the segmentation has already said that it is not the object's;
@@ -90,30 +108,35 @@ int grow(const SegmentedFrame& segmented, const SE3d& T_seg_object, const SE3d& 
 
   auto& front = workspace.front;
   front.clear();
+  int area = 0;
   for (int y = box[1]; y < box[1] + box[3]; ++y)
     for (int x = box[0]; x < box[0] + box[2]; ++x) {
       if (ids(x, y) != id) continue;
+      ++area;
       const float q = measured(x, y);
       if (!(q > 0)) continue;
       bool border = false;
       for (const auto& [dx, dy] : sides) border |= ids.contains(x + dx, y + dy) && ids(x + dx, y + dy) == 0;
       if (border) front.push_back({x, y, q});
     }
+  const int narrow = static_cast<int>(0.25 * std::sqrt(static_cast<double>(area)));
   int gained = 0;
   int left = box[0], top = box[1], right = box[0] + box[2], bottom = box[1] + box[3];
   while (!front.empty()) {
     const GrowWorkspace::Pixel from = front.back();
     front.pop_back();
+    const float nearer = from.q * (1 + static_cast<float>(tolerance(from.q)));
     for (const auto& [dx, dy] : sides) {
-      const int x = from.x + dx, y = from.y + dy;
+      int x = from.x + dx, y = from.y + dy;
+      for (int i = 0; i < narrow && ids.contains(x, y) && measured(x, y) > nearer; ++i) x += dx, y += dy;
       if (!ids.contains(x, y) || ids(x, y) != 0) continue;
       const float own = measured(x, y), q = own > 0 ? own : from.q;
       const float limit = static_cast<float>(tolerance(q));
       if (std::abs(q - from.q) > limit * from.q) continue;
       const Vector3<float> ray = camera.unproject(Vector2<float>(static_cast<float>(x), static_cast<float>(y)));
-      const auto moved = growing::then(segmented, T_object, camera, ray, q, limit, id);
+      const auto moved = growing::then(segmented, T_object, camera, ray, q, limit, id, own > 0);
       if (moved == growing::Then::Empty || moved == growing::Then::Other) continue;
-      const auto stood = growing::then(segmented, T_static, camera, ray, q, limit, id);
+      const auto stood = growing::then(segmented, T_static, camera, ray, q, limit, id, own > 0);
       if (stood != growing::Then::Empty && stood != growing::Then::Object) continue;
       ids(x, y) = id;
       ++gained;

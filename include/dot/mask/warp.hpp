@@ -23,13 +23,18 @@ struct WarpedMask {
   Image<float> inverse_depth;  ///< 1/m, predicted; same crop, 0 outside the mask
   double expected_area = 0;    ///< pixels it would have in an endless image with nothing in front of it
   int inside_area = 0;         ///< pixels inside the image, before trimming
+  int confirmed_area = 0;      ///< of these, where the predicted depth was measured,
+  int hidden_area = 0;         ///< and where something nearer was
 
   void clear() {
     mask.clear();
     inverse_depth.resize(0, 0);
     expected_area = 0;
-    inside_area = 0;
+    inside_area = confirmed_area = hidden_area = 0;
   }
+
+  /// Whether something nearer stands where it should be, mostly. Then that is likely where nothing was measured, too.
+  bool is_mostly_hidden() const { return 2 * confirmed_area < hidden_area; }
 };
 
 /// Buffers of `warp`.
@@ -218,7 +223,7 @@ void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& 
   double outside = 0;
   const SE3f T = T_cur_template.template cast<float>();
   const warping::Box box = warping::move_template(source, T, camera, workspace, outside);
-  int area = 0, inside = 0;
+  int area = 0, inside = 0, confirmed = 0, hidden = 0;
   int left = box.x1, right = box.x0 - 1, top = box.y1, bottom = box.y0 - 1;
   Image<float>& surface = workspace.surface;
   if (box.x0 < box.x1 && box.y0 < box.y1) {
@@ -236,7 +241,11 @@ void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& 
         const float q = std::exchange(line[i], 0.0f);
         if (!(q > 0) || !(pz[i] > 0) || !warping::covers(mask.pixels, pu[i] - mask_x, pv[i] - mask_y)) continue;
         ++inside;
-        if (trim && measured[i] > 0 && std::isfinite(measured[i]) && std::abs(measured[i] - q) > limit * q) continue;
+        if (trim && measured[i] > 0 && std::isfinite(measured[i])) {
+          hidden += measured[i] - q > limit * q;
+          if (std::abs(measured[i] - q) > limit * q) continue;
+          ++confirmed;
+        }
         line[i] = q;
         ++area;
         left = std::min(left, box.x0 + i);
@@ -248,6 +257,8 @@ void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& 
   }
 
   out.inside_area = inside;
+  out.confirmed_area = confirmed;
+  out.hidden_area = hidden;
   out.expected_area = inside + outside;
   out.mask.area = area;
   out.mask.x = area > 0 ? left : 0;
@@ -259,6 +270,20 @@ void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& 
     const float* from = surface.row(v + top - box.y0) + (left - box.x0);
     std::copy_n(from, width, out.inverse_depth.row(v));
     std::transform(from, from + width, out.mask.pixels.row(v), [](float q) { return std::uint8_t(q > 0 ? 255 : 0); });
+  }
+}
+
+/// Takes the pixels without measurement out of a mask. Its crop may then be wider than what is left.
+/// @param inverse_depth 1/m, of the frame, <= 0 or not finite = no measurement.
+inline void drop_unmeasured(ImageView<const float> inverse_depth, Mask& mask) {
+  mask.area = 0;
+  for (int v = 0; v < mask.height(); ++v) {
+    const float* measured = inverse_depth.row(mask.y + v) + mask.x;
+    std::uint8_t* set = mask.pixels.row(v);
+    for (int u = 0; u < mask.width(); ++u) {
+      if (!(measured[u] > 0 && std::isfinite(measured[u]))) set[u] = 0;
+      mask.area += set[u] != 0;
+    }
   }
 }
 

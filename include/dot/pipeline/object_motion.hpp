@@ -105,43 +105,12 @@ struct ObjectMotionEstimator {
     // Levels on which the object still has some structure.
     int top = std::min(reference.points.levels, scene.image.size()) - 1;
     while (top > 0 && std::sqrt(1.0 * reference.area) / (1 << top) < 5) --top;
-    const int fine = std::min(1, top);
-    Minima& minima = workspace.minima;
-    minima.found.clear();
-    for (const SE3d& T_o : starts)
-      minima.add(problem, aligner.align(problem, {problem.T_outer * T_o, reference.gain, reference.offset}, top, fine));
-    std::vector<Alignment>& candidates = minima.found;
-    // Few points may agree by chance, and better than any others.
-    const auto sees_few = [&](const Alignment& a) {
-      return a.seen < settings.min_inliers || a.seen < 0.3 * settings.min_visible * reference.points.size();
-    };
-    minima.drop_if(sees_few);
-    if (fine > 0)
-      for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);
-    // A later start must win by a margin: equal minima should not alternate.
-    auto& order = workspace.ranked;
-    order.clear();
-    if (candidates.size() == 1) {
-      order.push_back({0, 0});
-    } else {
-      double sigma = std::numeric_limits<double>::infinity();
-      for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
-      for (std::size_t i = 0; i < candidates.size(); ++i) {
-        const double cost = aligner.rank(problem, candidates[i].state, 0, sigma) * (order.empty() ? 0.98 : 1);
-        if (std::isfinite(cost)) order.push_back({cost, i});
-      }
-    }
-    std::sort(order.begin(), order.end());
-    // The best minimum that holds before the checks; the best of all says why there is none.
-    out.reason = Reason::LeavesImage;
-    for (std::size_t i = 0; i < std::min<std::size_t>(order.size(), 4); ++i) {
-      Alignment& a = candidates[order[i].second];
-      aligner.finish(problem, a);
-      ObjectFit attempt;
-      fill(reference, a, problem, scene, dt, noise, attempt);
-      attempt.reason = check(reference, a, attempt, known);
-      if (i == 0 || attempt.ok()) out = attempt;
-      if (attempt.ok()) break;
+    out = best_minimum(problem, starts, starts.size(), top, reference, scene, known, dt, noise, aligner, workspace);
+    // Coarse levels mix an object with what hides it and may lead away from where it is known to be.
+    if (!out.ok() && known.seconds > 0 && top > kNearLevel) {
+      const ObjectFit near =
+          best_minimum(problem, starts, 1, kNearLevel, reference, scene, known, dt, noise, aligner, workspace);
+      if (near.ok()) out = near;
     }
     return out;
   }
@@ -185,6 +154,57 @@ struct ObjectMotionEstimator {
   }
 
  private:
+  static constexpr int kNearLevel = 2;  ///< from which a fit starts where it is not to go far
+
+  /// Aligned from the first `count` starts, level `top` first: of the minima found the best that holds.
+  template <typename Camera, typename Noise, typename Aligner>
+  ObjectFit best_minimum(const AlignProblem<Camera>& problem, const std::vector<SE3d>& starts, std::size_t count,
+                         int top, const ObjectReference& reference, const ObjectScene<Camera>& scene,
+                         const KnownVelocity& known, double dt, const Noise& noise, Aligner& aligner,
+                         MinimaWorkspace& workspace) const {
+    ObjectFit out;
+    const int fine = std::min(1, top);
+    Minima& minima = workspace.minima;
+    minima.found.clear();
+    for (std::size_t i = 0; i < count; ++i)
+      minima.add(problem,
+                 aligner.align(problem, {problem.T_outer * starts[i], reference.gain, reference.offset}, top, fine));
+    std::vector<Alignment>& candidates = minima.found;
+    // Few points may agree by chance, and better than any others.
+    const auto sees_few = [&](const Alignment& a) {
+      return a.seen < settings.min_inliers || a.seen < 0.3 * settings.min_visible * reference.points.size();
+    };
+    minima.drop_if(sees_few);
+    if (fine > 0)
+      for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);
+    // A later start must win by a margin: equal minima should not alternate.
+    auto& order = workspace.ranked;
+    order.clear();
+    if (candidates.size() == 1) {
+      order.push_back({0, 0});
+    } else {
+      double sigma = std::numeric_limits<double>::infinity();
+      for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
+      for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const double cost = aligner.rank(problem, candidates[i].state, 0, sigma) * (order.empty() ? 0.98 : 1);
+        if (std::isfinite(cost)) order.push_back({cost, i});
+      }
+    }
+    std::sort(order.begin(), order.end());
+    // The best minimum that holds before the checks; the best of all says why there is none.
+    out.reason = Reason::LeavesImage;
+    for (std::size_t i = 0; i < std::min<std::size_t>(order.size(), 4); ++i) {
+      Alignment& a = candidates[order[i].second];
+      aligner.finish(problem, a);
+      ObjectFit attempt;
+      fill(reference, a, problem, scene, dt, noise, attempt);
+      attempt.reason = check(reference, a, attempt, known);
+      if (i == 0 || attempt.ok()) out = attempt;
+      if (attempt.ok()) break;
+    }
+    return out;
+  }
+
   /// Adds the three best velocities of a grid on one level, up to `steps` to each side.
   template <typename Camera, typename Aligner>
   void search(const ObjectReference& reference, const ObjectScene<Camera>& scene, const AlignProblem<Camera>& problem,

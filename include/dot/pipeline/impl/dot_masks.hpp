@@ -272,6 +272,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::label() {
   labels_.resize(camera_.width(), camera_.height());
   labels_.fill(0);
   const std::vector<TrackT*>& order = far_to_near();
+  for (TrackT* t : order)
+    if (!t->observed && t->state != State::Static && t->predicted.is_mostly_hidden())
+      drop_unmeasured(current_.inverse_depth().view(), t->mask);
   paint(order, ids_);
   // Near to far, so that what is nearer grows first.
   for (auto i = order.rbegin(); i != order.rend(); ++i) {

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "dot/camera/depth_noise.hpp"
 #include "support/exact_points.hpp"
 #include "support/numeric_jacobian.hpp"
@@ -225,13 +228,15 @@ struct HalfHidden {
     reference.intervals = 1;
   }
 
-  ObjectFit fit(const dot::KnownVelocity& known) const {
+  dot::KnownVelocity known() const { return {velocity, 0.01 * dot::Matrix3<double>::Identity(), dt}; }
+
+  ObjectFit fit(const dot::KnownVelocity& known, const std::vector<SE3d>& starts) const {
     ObjectMotionEstimator estimator;
     dot::DirectAligner<> aligner;
     dot::MinimaWorkspace workspace;
     const dot::DepthNoise noise({}, dot::test::small_camera());
-    return estimator.fit(reference, dot::ObjectScene<dot::Pinhole>{image, camera, depth, hidden.view()},
-                         {SE3d::translation(velocity * dt * 1.05)}, known, dt, noise, aligner, workspace);
+    return estimator.fit(reference, dot::ObjectScene<dot::Pinhole>{image, camera, depth, hidden.view()}, starts, known,
+                         dt, noise, aligner, workspace);
   }
 };
 
@@ -239,15 +244,18 @@ struct HalfHidden {
 TEST(ObjectFit, StaysWhereTheObjectIsKnownToBe) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     const HalfHidden scene(seed);
-    EXPECT_EQ(scene.fit({}).reason, dot::Reason::LowCorrelation) << seed;
-    dot::KnownVelocity known;
-    known.velocity = scene.velocity;
-    known.covariance = 0.01 * dot::Matrix3<double>::Identity();
-    known.seconds = dt;
-    const ObjectFit fit = scene.fit(known);
+    const std::vector<SE3d> starts{SE3d::translation(scene.velocity * dt * 1.05)};
+    EXPECT_EQ(scene.fit({}, starts).reason, dot::Reason::LowCorrelation) << seed;
+    const ObjectFit fit = scene.fit(scene.known(), starts);
     EXPECT_TRUE(fit.ok()) << seed;
     EXPECT_LT((fit.motion.velocity - scene.velocity).norm(), 0.2) << seed;
   }
+}
+
+// All of them would lie behind the camera.
+TEST(ObjectFit, NeedsNoStart) {
+  const HalfHidden scene(1);
+  EXPECT_EQ(scene.fit(scene.known(), {}).reason, dot::Reason::LeavesImage);
 }
 
 }  // namespace

@@ -90,7 +90,8 @@ struct ObjectMotionEstimator {
   MotionPriorSettings prior;
   VelocitySettings velocity;
 
-  /// @param starts of T_o, in the reference camera's axes, the most trusted first.
+  /// @param starts of T_o, in the reference camera's axes, the most trusted first; none where all lie behind the
+  /// camera.
   template <typename Camera, typename Noise, typename Aligner>
   ObjectFit fit(const ObjectReference& reference, const ObjectScene<Camera>& scene, const std::vector<SE3d>& starts,
                 const KnownVelocity& known, double dt, const Noise& noise, Aligner& aligner,
@@ -107,7 +108,7 @@ struct ObjectMotionEstimator {
     while (top > 0 && std::sqrt(1.0 * reference.area) / (1 << top) < 5) --top;
     out = best_minimum(problem, starts, starts.size(), top, reference, scene, known, dt, noise, aligner, workspace);
     // Coarse levels mix an object with what hides it and may lead away from where it is known to be.
-    if (!out.ok() && known.seconds > 0 && top > kNearLevel) {
+    if (!out.ok() && known.seconds > 0 && top > kNearLevel && !starts.empty()) {
       const ObjectFit near =
           best_minimum(problem, starts, 1, kNearLevel, reference, scene, known, dt, noise, aligner, workspace);
       if (near.ok()) out = near;

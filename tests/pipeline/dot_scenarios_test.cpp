@@ -360,6 +360,8 @@ TEST(Occlusion, ShowsNothingOfAMoverInTheHolesOfWhatHidesIt) {
     whole = std::max(whole, pixels);
     if (i < 5 || pixels > 0.2 * whole) continue;
     ++mostly_hidden;
+    for (const ObjectResult& o : result.objects)
+      EXPECT_FALSE(o.area == 0 && o.reason == Reason::None) << i << ' ' << describe(&o);
     EXPECT_LT(wrong, 0.01 * whole) << i << " of " << whole;
   }
   EXPECT_GE(mostly_hidden, 2);

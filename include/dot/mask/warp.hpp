@@ -273,7 +273,8 @@ void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& 
   }
 }
 
-/// Takes the pixels without measurement out of a mask. Its crop may then be wider than what is left.
+/// Takes the pixels without measurement out of a mask, which lies inside the frame. Its crop may then be wider than
+/// what is left.
 /// @param inverse_depth 1/m, of the frame, <= 0 or not finite = no measurement.
 inline void drop_unmeasured(ImageView<const float> inverse_depth, Mask& mask) {
   mask.area = 0;

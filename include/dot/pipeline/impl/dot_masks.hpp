@@ -287,6 +287,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label() {
           box);
     crop_ids<std::uint32_t>(ids_.view(), t.id, box, t.mask);
     t.visible = !t.mask.empty();
+    if (!t.visible && t.fit.ok()) t.fit.reason = Reason::Hidden;
     t.mask.write(static_cast<std::uint8_t>(t.state), labels_);
   }
   if (segmented_) T_cur_segmented_ = {};

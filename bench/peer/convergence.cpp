@@ -5,11 +5,12 @@
 // without a prediction, on the static background alone; beside OpenCV's RgbdOdometry. Ours is a tracker that sees two
 // frames. The sequences need true poses and instances.
 //
-//     bench_peer_convergence [--list] [--turn DEGREES] [--depth-difference METRES] SEQUENCE...
+//     bench_peer_convergence [--list] [--turn DEGREES] [--depth-difference METRES] [--witness N] SEQUENCE...
 //
 // A pose is right within max(2 cm, 5 %) of the distance and 0.1 degrees; wrong beyond max(10 cm, 15 %) or 0.3 degrees.
 // --turn turns the second camera of each pair besides, about another axis each time. --list writes all pairs as CSV
-// instead of the table; between_m and between_deg are those between the two answers.
+// instead of the table; between_m and between_deg are those between the two answers. --witness takes the motions of the
+// first N intervals of each sequence from matched features instead of its poses.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -27,6 +28,7 @@
 #include "measure.hpp"
 #include "run/run_options.hpp"
 #include "street.hpp"
+#include "witness.hpp"
 
 namespace {
 
@@ -103,6 +105,22 @@ dot::Matrix3<double> nth_turn(std::size_t n, double degrees) {
   return dot::so3::exp(dot::Vector3<double>(axes[n % 5] * (degrees / 57.29578)));
 }
 
+/// Replaces the poses of the first intervals by what features tell; those after them keep their motions.
+void take_witness(const dot::Intrinsics& camera, int intervals, std::vector<Seen>& all) {
+  const Witness witness(camera);
+  dot::SE3d T_world_recorded = all.empty() ? dot::SE3d{} : all[0].T_world_camera;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const Seen &a = all[i - 1], &b = all[i];
+    const dot::SE3d recorded = b.T_world_camera.inverse() * T_world_recorded;
+    T_world_recorded = b.T_world_camera;
+    const dot::SE3d T_cur_prev =
+        static_cast<int>(i) > intervals
+            ? recorded
+            : witness.motion(a.images.grey, a.images.depth, a.background, b.images.grey, b.background);
+    all[i].T_world_camera = a.T_world_camera * T_cur_prev.inverse();
+  }
+}
+
 std::vector<Seen> read(runner::Sequence& sequence) {
   std::vector<Seen> all;
   for (int i = 0; i < sequence.size(); ++i) {
@@ -133,7 +151,7 @@ void list(const std::string& name, int first, int gap, const dot::SE3d& truth, c
               p.metres, p.degrees, between.metres, between.degrees);
 }
 
-void run(const std::vector<std::string>& folders, Peer::Limits limits, double turn, bool listing) {
+void run(const std::vector<std::string>& folders, Peer::Limits limits, double turn, int witnessed, bool listing) {
   Count ours[5], theirs[5];  // [0] of all
   if (listing)
     std::puts(
@@ -149,7 +167,8 @@ void run(const std::vector<std::string>& folders, Peer::Limits limits, double tu
     runner::Sequence sequence(run.sequence);
     dot::Tracker tracker(sequence.intrinsics(), runner::tracker_options(run, sequence.depth_source()));
     Peer peer(sequence.intrinsics(), limits);
-    const std::vector<Seen> seen = read(sequence);
+    std::vector<Seen> seen = read(sequence);
+    if (witnessed > 0) take_witness(sequence.intrinsics(), witnessed, seen);
     const std::string name = std::filesystem::path(folder).lexically_normal().filename().string();
     for (std::size_t gap = 1; gap <= 4; ++gap) {
       Count here, peer_here;
@@ -192,19 +211,22 @@ int main(int argc, char** argv) {
   Peer::Limits limits = street_limits();
   bool listing = false;
   double turn = 0;
+  int witnessed = 0;
   std::vector<std::string> folders;
   for (int i = 1; i < argc; ++i) {
     if (!std::strcmp(argv[i], "--list"))
       listing = true;
     else if (!std::strcmp(argv[i], "--turn") && i + 1 < argc)
       turn = std::atof(argv[++i]);
+    else if (!std::strcmp(argv[i], "--witness") && i + 1 < argc)
+      witnessed = std::atoi(argv[++i]);
     else if (!std::strcmp(argv[i], "--depth-difference") && i + 1 < argc)
       limits.depth_difference = std::atof(argv[++i]);
     else
       folders.push_back(argv[i]);
   }
   try {
-    run(folders, limits, turn, listing);
+    run(folders, limits, turn, witnessed, listing);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_peer_convergence: %s\n", error.what());

@@ -244,31 +244,59 @@ TEST(AlignCamera, TheScaleDoesNotDependOnItsStart) {
   EXPECT_NEAR(a.sigma_intensity, aligner.intensity_sigma(pair.problem(), a.state, 0), 0.03 * a.sigma_intensity);
 }
 
+/// A weakly textured room, and in it a small high-contrast thing that turns about the camera: to its points the camera
+/// seems to have turned.
+struct Captured {
+  SE3d turn;
+  PointSet points;
+  Pyramid image;
+
+  explicit Captured(double yaw) : turn(motion(0, 0, 0, 0, yaw, 0)) {
+    Body thing = box(7, {0.55, 0.55, 0.1}, 50, 0.25, 1, 40);
+    thing.T_world_body.t = {0, 0, 3};
+    Scene scene{{hopper(1, 0.5, 4, 5), thing}};
+    const Rendering reference = scene.render(camera, SE3d{});
+    scene.bodies[1].T_world_body = turn * thing.T_world_body;
+    Pyramid before;
+    before.build(reference.grey.view(), kLevels);
+    image.build(scene.render(camera, SE3d{}).grey.view(), kLevels);
+    points = exact_points(reference, camera, before, 4,
+                          [](int x, int y) { return x % 16 < 4 || (x > 110 && x < 210 && y > 70); });
+  }
+  AlignProblem<Pinhole> problem() const { return {points, image, camera}; }
+};
+
 TEST(AlignCamera, TukeyRanksTheMajorityFirstWhereHuberIsCaptured) {
-  // A weakly textured room, and in it a small high-contrast thing that turns about the camera: to its points the
-  // camera seems to have turned.
-  const SE3d turn = motion(0, 0, 0, 0, 0.02, 0);
-  Body thing = box(7, {0.55, 0.55, 0.1}, 50, 0.25, 1, 40);
-  thing.T_world_body.t = {0, 0, 3};
-  Scene scene{{hopper(1, 0.5, 4, 5), thing}};
-  const Rendering reference = scene.render(camera, SE3d{});
-  scene.bodies[1].T_world_body = turn * thing.T_world_body;
-  const Rendering current = scene.render(camera, SE3d{});
-  Pyramid before, after;
-  before.build(reference.grey.view(), kLevels);
-  after.build(current.grey.view(), kLevels);
-  const PointSet points = exact_points(reference, camera, before, 4,
-                                       [](int x, int y) { return x % 16 < 4 || (x > 110 && x < 210 && y > 70); });
+  const Captured c(0.02);
   DirectAligner<> aligner;
-  const AlignProblem<Pinhole> problem{points, after, camera};
-  const double sigma = aligner.intensity_sigma(problem, {SE3d{}}, 0);
+  const double sigma = aligner.intensity_sigma(c.problem(), {SE3d{}}, 0);
   const auto huber = [&](const SE3d& T) {
     const dot::ResidualNoise noise{static_cast<float>(sigma), 0.06f, 1.345f};
-    return aligner.reduction.linearize(points, 0, camera, after.levels[0], {T, 1, 0}, noise, {}, nullptr).cost;
+    return aligner.reduction.linearize(c.points, 0, camera, c.image.levels[0], {T, 1, 0}, noise, {}, nullptr).cost;
   };
-  const auto tukey = [&](const SE3d& T) { return aligner.rank(problem, {T, 1, 0}, 0, sigma); };
-  EXPECT_GT(huber(SE3d{}), huber(turn));
-  EXPECT_LT(tukey(SE3d{}), 0.8 * tukey(turn));
+  const auto tukey = [&](const SE3d& T) { return aligner.rank(c.problem(), {T, 1, 0}, 0, sigma); };
+  EXPECT_GT(huber(SE3d{}), huber(c.turn));
+  EXPECT_LT(tukey(SE3d{}), 0.8 * tukey(c.turn));
+}
+
+// Huber's cost leads from where the majority is, the identity, to the minority, at 3.6 pixels.
+TEST(AlignCamera, NearKeepsToTheMajorityThatHubersCostLeaves) {
+  const Captured c(0.018);
+  DirectAligner<> aligner;
+  const auto pixels = [&](const Alignment& a) { return camera.intrinsics().fx * dot::so3::log(a.state.T.R).norm(); };
+  for (const int level : {0, 1}) {
+    EXPECT_GT(pixels(aligner.align(c.problem(), {SE3d{}}, level, level)), 3);
+    EXPECT_LT(pixels(aligner.align_near(c.problem(), {SE3d{}}, level)), 0.5);
+  }
+}
+
+// Without a minority it is the same.
+TEST(AlignCamera, NearFindsWhatIsNear) {
+  const Pair pair(motion(0.05, -0.03, -0.1, 0.01, -0.02, 0.03));
+  DirectAligner<> aligner;
+  Alignment a = aligner.align_near(pair.problem(), {motion(0.01, 0, 0, 0, 0.004, 0) * pair.T_cur_ref}, 0);
+  aligner.finish(pair.problem(), a);
+  expect_exact(pair, a);
 }
 
 // What the coarse levels saw must not pass for what the finest one sees.

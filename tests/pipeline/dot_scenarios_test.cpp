@@ -416,6 +416,32 @@ TEST(Occlusion, IsSaidOfWhatIsMeasuredAndShownNowhere) {
   }
 }
 
+// Beyond a stereo camera's range there is no depth but its mistakes, of surfaces that are not there.
+TEST(RareDepth, SaysNothingUnlessALidars) {
+  for (const dot::DepthSource source : {dot::DepthSource::Unknown, dot::DepthSource::Lidar}) {
+    Film<> film = street();
+    film.spoil = [](int, Rendering& seen) {
+      for (int y = 0; y < seen.ids.height(); ++y)
+        for (int x = 0; x < seen.ids.width(); ++x)
+          if (seen.ids(x, y) == parked) seen.depth(x, y) *= (x / 3 + y / 3) % 9 ? 0 : 0.6f;
+    };
+    Options options;
+    options.depth_noise.source = source;
+    Tracker tracker = make_tracker(options);
+    const Record record(film, tracker, 8, all);
+    int without_depth = 0;
+    for (int i = 1; i < record.frames(); ++i)
+      without_depth += record.at(parked, i).object.value().reason == Reason::TooLittleDepth;
+    if (source == dot::DepthSource::Lidar) {  // which has few, but right ones
+      EXPECT_EQ(without_depth, 0);
+      continue;
+    }
+    EXPECT_EQ(without_depth, record.frames() - 1);
+    record.expect_never(parked, State::Moving);
+    record.expect_from(mover, 5, State::Moving);
+  }
+}
+
 // Algorithm 1 goes on with the next object where the paper breaks off.
 TEST(Failure, OfANearObjectLeavesTheFartherOnes) {
   Film<> film = street();

@@ -92,6 +92,17 @@ struct DirectAligner {
     return a;
   }
 
+  /// Refines `start` on one level by the points that fit it, as a redescending cost would: their minimum may be none of
+  /// Huber's cost of all points.
+  template <typename Camera>
+  Alignment align_near(const AlignProblem<Camera>& problem, const AlignState& start, int level) {
+    Alignment a;
+    a.state = start;
+    excluded_.assign(static_cast<std::size_t>(problem.points.size()), 0);
+    refine(problem, level, a, true, true);
+    return a;
+  }
+
   /// Takes outliers by their distance to the fitted line between intensities (paper, section 3.4), refines once more on
   /// level 0, and fills the statistics.
   template <typename Camera>
@@ -102,7 +113,7 @@ struct DirectAligner {
     const PointResiduals& p = residuals_;
     const auto r2 = [&](std::size_t i) { return sq(static_cast<double>(p.r[i])); };
     const auto s2 = [&](std::size_t i) { return sq(a.sigma_intensity) + static_cast<double>(p.extra[i]); };
-    for (std::size_t i = 0; i < p.size(); ++i) excluded_[i] = p.seen(i) && r2(i) > sq(settings.outlier) * s2(i);
+    exclude_outliers(a);
     refine(problem, 0, a, true);
     // Statistics over all points, the excluded too.
     residuals(problem, 0, a.state, a.sigma_intensity);
@@ -219,6 +230,14 @@ struct DirectAligner {
             static_cast<float>(settings.huber), settings.gradient};
   }
 
+  /// Of the residuals that were computed last.
+  void exclude_outliers(const Alignment& a) {
+    const PointResiduals& p = residuals_;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      excluded_[i] = p.seen(i) && sq(static_cast<double>(p.r[i])) >
+                                      sq(settings.outlier) * (sq(a.sigma_intensity) + static_cast<double>(p.extra[i]));
+  }
+
   template <typename Camera>
   void residuals(const AlignProblem<Camera>& problem, int level, const AlignState& state, double sigma_intensity) {
     reduction.residuals(problem.points, level, problem.camera.at_level(level),
@@ -268,7 +287,7 @@ struct DirectAligner {
 
   /// Gauss-Newton on one level, on level 0 again where the first round changed the residual scale or did not converge.
   template <typename Camera>
-  void refine(const AlignProblem<Camera>& problem, int level, Alignment& a, bool want_covariance) {
+  void refine(const AlignProblem<Camera>& problem, int level, Alignment& a, bool want_covariance, bool near = false) {
     const Camera camera = problem.camera.at_level(level);
     const Image<std::uint8_t>& image = problem.image.levels[static_cast<std::size_t>(level)];
     const DepthTerm depth = problem.depth_at(level);
@@ -279,7 +298,9 @@ struct DirectAligner {
     for (int round = 0; round < 2; ++round) {
       const double scale_before = a.sigma_intensity;
       residuals(problem, level, a.state, a.sigma_intensity);
+      if (near) std::fill(excluded_.begin(), excluded_.end(), std::uint8_t{0});
       a.sigma_intensity = scale_of_residuals(a.sigma_intensity);
+      if (near) exclude_outliers(a);
       if (round > 0 && a.converged && std::abs(a.sigma_intensity - scale_before) < kSameScale * scale_before) break;
       const ResidualNoise noise = residual_noise(a.sigma_intensity);
       AlignState accepted = a.state;

@@ -23,7 +23,8 @@ DOT_BEGIN_NAMESPACE
 /// starts are refined, each a candidate, and the one of least *redescending* cost is taken, all judged with the same
 /// residual scale and by the points that both see (PointCosts): coarse to fine from constant velocity and, before that,
 /// from what the host expects; the same on fine levels only; standing still; and shifts of those along the direction
-/// that the points determine least.
+/// that the points determine least. On fine levels only the points that fit a start refine it: where the truth is,
+/// Huber's cost may have no minimum at all.
 ///
 /// Without a velocity to start from, the lowest minimum found may be one of many: on an even road standing still, or a
 /// dash of its markings further, looks nearly as right as the truth. `accepts` then asks for a better correlation, and
@@ -50,11 +51,14 @@ struct CameraMotionEstimator {
       minima.add(problem, a);
       return a.state;
     };
+    const auto add_near = [&](const AlignState& start) {
+      minima.add(problem, aligner.align_near(problem, start, fine));
+    };
     AlignState first;
     for (std::size_t i = 0; i < predicted.size(); ++i) {
       const AlignState found = add({predicted[i]}, top);
       if (i == 0) first = found;
-      add({predicted[i], found.gain, found.offset}, fine);
+      add_near({predicted[i], found.gain, found.offset});
     }
     if (predicted.back().log().norm() > 1e-3) add({SE3d{}, first.gain, first.offset}, top);
     workspace.few.take_every(std::max(1, points.size() / kRanked), points);
@@ -91,13 +95,13 @@ struct CameraMotionEstimator {
     const std::size_t unshifted = minima.found.size();
     for (std::size_t i = 0; i < unshifted; ++i) {
       shifted(few, minima.found[i], fine, sigma, depth, aligner, workspace);
-      for (const AlignState& start : starts) add(start, fine);
+      for (const AlignState& start : starts) add_near(start);
     }
     enough = settings.min_points;
     minima.drop_if(tells_nothing);
     std::vector<Alignment>& candidates = minima.found;
     if (fine > 0)
-      for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);
+      for (Alignment& a : candidates) a = aligner.align_near(problem, a.state, 0);
     return best(problem, candidates, aligner, workspace);
   }
 

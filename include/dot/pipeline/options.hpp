@@ -36,6 +36,7 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(selection.background_points);
   DOT_OPTION(selection.object_points);
   DOT_OPTION(selection.min_object_pixels);
+  DOT_OPTION(selection.min_depth_share);
   DOT_OPTION(selection.min_gradient);
   DOT_OPTION(selection.object_gradient);
   DOT_OPTION(selection.max_depth);

@@ -255,6 +255,10 @@ Reason Dot<Camera, Classifier, Noise, Aligner>::make_reference(const Selector<Ca
   if (mask.area < options_.selection.min_object_pixels) return Reason::TooFewPixels;
   const ObjectPoints found =
       select_object(select, {mask.x, mask.y, mask.width(), mask.height()}, mask.pixels.view(), mask.area, r.points);
+  // Where a matcher finds nothing, beyond its range or in the dark, what depth there is may be its mistakes.
+  if (options_.depth_noise.source != DepthSource::Lidar &&
+      found.pixels_with_depth < options_.selection.min_depth_share * mask.area)
+    return Reason::TooLittleDepth;
   if (r.points.size() < options_.object.min_points)
     return found.shape_known ? Reason::TooLittleTexture : Reason::TooLittleDepth;
   double x = 0, y = 0, q = 0;

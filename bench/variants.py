@@ -8,7 +8,9 @@ usage: variants.py KIND OUT SEQ...        needs numpy and OpenCV for Python
 Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KIND is
   half, third   images of that share of the width
   mirror        left and right exchanged
+  crop          the middle half, left to right
   slow          every other frame
+  flicker       brightness that jumps by up to a quarter and 10 grey values from frame to frame
   noise         noise of 8 grey values
   dark          a quarter of the brightness, noise of 1.5 grey values
   near          no depth beyond 20 m
@@ -38,6 +40,10 @@ def changed(image, folder, kind, random):
         return shrunk(image, folder, 2 if kind == "half" else 3)
     if kind == "mirror":
         return image[:, ::-1]
+    if kind == "crop":
+        return image[:, image.shape[1] // 4 :][:, : image.shape[1] // 2]
+    if kind == "flicker" and folder == "rgb":
+        return np.clip(random.uniform(0.75, 1.25) * image + random.uniform(-10, 10), 0, 255).astype(np.uint8)
     if kind in ("noise", "dark") and folder == "rgb":
         gain, sigma = (1, 8) if kind == "noise" else (0.25, 1.5)
         return np.clip(gain * image + random.normal(0, sigma, image.shape), 0, 255).astype(np.uint8)
@@ -55,6 +61,8 @@ def camera(line, kind):
         width, height = width // n, height // n
     if kind == "mirror":
         cx = width - 1 - cx
+    if kind == "crop":
+        cx, width = cx - width // 4, width // 2
     if kind == "slow":
         fps /= 2
     return f"{fx} {fy} {cx} {cy} {int(width)} {int(height)} {baseline} {fps}\n"
@@ -107,7 +115,7 @@ def make(kind, out, sequence):
 
 
 def main():
-    kinds = ("half", "third", "mirror", "slow", "noise", "dark", "near")
+    kinds = ("half", "third", "mirror", "crop", "slow", "flicker", "noise", "dark", "near")
     if len(sys.argv) < 4 or sys.argv[1] not in kinds:
         sys.exit(__doc__)
     for sequence in sys.argv[3:]:

@@ -5,12 +5,13 @@
 // without a prediction, on the static background alone; beside OpenCV's RgbdOdometry. Ours is a tracker that sees two
 // frames. The sequences need true poses and instances.
 //
-//     bench_peer_convergence [--list] [--turn DEGREES] [--depth-difference METRES] [--witness N] SEQUENCE...
+//     bench_peer_convergence [--list] [--turn DEGREES] [--exposure GAIN] [--depth-difference METRES] [--witness N]
+//                           SEQUENCE...
 //
 // A pose is right within max(2 cm, 5 %) of the distance and 0.1 degrees; wrong beyond max(10 cm, 15 %) or 0.3 degrees.
-// --turn turns the second camera of each pair besides, about another axis each time. --list writes all pairs as CSV
-// instead of the table; between_m and between_deg are those between the two answers. --witness takes the motions of the
-// first N intervals of each sequence from matched features instead of its poses.
+// --turn turns the second camera of each pair besides, about another axis each time, --exposure multiplies its image.
+// --list writes all pairs as CSV instead of the table; between_m and between_deg are those between the two answers.
+// --witness takes the motions of the first N intervals of each sequence from matched features instead of its poses.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -67,6 +68,12 @@ cv::Mat background_of(const cv::Mat& ids) {
   return ~objects;
 }
 
+/// How the second camera of a pair differs from that of its frame.
+struct Change {
+  double turn = 0;  ///< degrees
+  double exposure = 1;
+};
+
 struct Seen {
   runner::SequenceFrame frame;
   PeerImages images;
@@ -97,6 +104,14 @@ Seen turned(const Seen& seen, const dot::Matrix3<double>& R, const dot::Intrinsi
   warp(ids, ids_turned, cv::INTER_NEAREST, {});
   ids_turned.convertTo(out.ids, CV_32S);
   warp(seen.background, out.background, cv::INTER_NEAREST, {});
+  return out;
+}
+/// The same with another exposure.
+Seen exposed(const Seen& seen, double gain) {
+  Seen out = seen;
+  out.frame.image = cv::Mat();  // not into the memory that they share
+  seen.frame.image.convertTo(out.frame.image, -1, gain);
+  out.images.grey = PeerImages(out.frame).grey;
   return out;
 }
 /// Right, left, down, up and about the optical axis in turn.
@@ -151,7 +166,8 @@ void list(const std::string& name, int first, int gap, const dot::SE3d& truth, c
               p.metres, p.degrees, between.metres, between.degrees);
 }
 
-void run(const std::vector<std::string>& folders, Peer::Limits limits, double turn, int witnessed, bool listing) {
+void run(const std::vector<std::string>& folders, Peer::Limits limits, const Change& change, int witnessed,
+         bool listing) {
   Count ours[5], theirs[5];  // [0] of all
   if (listing)
     std::puts(
@@ -174,7 +190,9 @@ void run(const std::vector<std::string>& folders, Peer::Limits limits, double tu
       Count here, peer_here;
       for (std::size_t i = 0; i + gap < seen.size(); ++i) {
         const Seen& a = seen[i];
-        const Seen b = turn == 0 ? seen[i + gap] : turned(seen[i + gap], nth_turn(i, turn), sequence.intrinsics());
+        Seen b = seen[i + gap];
+        if (change.turn != 0) b = turned(b, nth_turn(i, change.turn), sequence.intrinsics());
+        if (change.exposure != 1) b = exposed(b, change.exposure);
         const dot::SE3d truth = b.T_world_camera.inverse() * a.T_world_camera;
         tracker.reset();
         dot::Frame frame = a.frame.frame();
@@ -210,14 +228,16 @@ int main(int argc, char** argv) {
   cv::setNumThreads(1);
   Peer::Limits limits = street_limits();
   bool listing = false;
-  double turn = 0;
+  Change change;
   int witnessed = 0;
   std::vector<std::string> folders;
   for (int i = 1; i < argc; ++i) {
     if (!std::strcmp(argv[i], "--list"))
       listing = true;
     else if (!std::strcmp(argv[i], "--turn") && i + 1 < argc)
-      turn = std::atof(argv[++i]);
+      change.turn = std::atof(argv[++i]);
+    else if (!std::strcmp(argv[i], "--exposure") && i + 1 < argc)
+      change.exposure = std::atof(argv[++i]);
     else if (!std::strcmp(argv[i], "--witness") && i + 1 < argc)
       witnessed = std::atoi(argv[++i]);
     else if (!std::strcmp(argv[i], "--depth-difference") && i + 1 < argc)
@@ -226,7 +246,7 @@ int main(int argc, char** argv) {
       folders.push_back(argv[i]);
   }
   try {
-    run(folders, limits, turn, witnessed, listing);
+    run(folders, limits, change, witnessed, listing);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_peer_convergence: %s\n", error.what());

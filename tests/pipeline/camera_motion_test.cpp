@@ -64,6 +64,23 @@ TEST_P(FarForward, IsFoundWithoutAPrediction) {
 
 INSTANTIATE_TEST_SUITE_P(Metres, FarForward, testing::Values(0.5, 3.0, 6.0, -3.0));
 
+// As when the camera comes out of a tunnel, or into one.
+TEST(CameraSearch, FollowsTheExposure) {
+  Scene scene;
+  scene.bodies.push_back(yard(100));
+  const Rendering before = scene.render(camera, SE3d{});
+  for (const double metres : {1.5, 3.0, 4.5, 6.0, 7.5})
+    for (const double gain : {0.4, 0.7, 1.3}) {
+      const SE3d T_world_camera = SE3d::translation(Vector3<double>(0, 0, metres));
+      Rendering now = scene.render(camera, T_world_camera);
+      for (int y = 0; y < camera.height(); ++y)
+        for (int x = 0; x < camera.width(); ++x) now.intensity(x, y) = static_cast<float>(gain) * now.intensity(x, y);
+      now.round();
+      const Alignment a = found(before, now, 18);
+      EXPECT_LT((a.state.T.t + T_world_camera.t).norm(), 0.01 * metres) << metres << " m, gain " << gain;
+    }
+}
+
 /// Of the camera in the world: axis times degrees, and metres ahead; and the points that a host wants seen, of 4800.
 struct Turn {
   Vector3<double> degrees;
@@ -219,6 +236,49 @@ TEST(MovingShadows, DoNotCaptureTheRefinement) {
     dot::MinimaWorkspace workspace;
     const Alignment a = CameraMotionEstimator{}.estimate(points, now, camera, {truth}, nullptr, aligner, workspace);
     EXPECT_LT(pose_distance(points, camera, a.state.T, truth), 0.2);
+  }
+}
+
+/// A road 1.5 m below the camera, which is `ahead` metres further, and a wall at 20 m. Across the road lie shadows with
+/// soft edges, moved by `shadows` metres.
+Rendering shadowed_road(double ahead, double shadows) {
+  const Texture fine(3, 3, 8, 8);
+  const dot::Intrinsics& k = camera.intrinsics();
+  Rendering view;
+  view.intensity.resize(camera.width(), camera.height());
+  view.depth.resize(camera.width(), camera.height());
+  for (int y = 0; y < camera.height(); ++y) {
+    const double wall = 20 - ahead, down = (y - k.cy) / k.fy;
+    const bool on_road = down * wall > 1.5;
+    const double z = on_road ? 1.5 / down : wall, along = z + ahead;
+    double dark = 0;
+    for (const double edge : {3.2, 4.1, 5.5})
+      if (on_road) dark += 25 * std::tanh((along - shadows - edge) / 0.12) * (edge == 4.1 ? -1 : 1);
+    for (int x = 0; x < camera.width(); ++x) {
+      const double across = (x - k.cx) / k.fx * z;
+      const double grey = on_road ? fine(20 * across, 8 * along) : fine(6 * across, 6 * down * z);
+      view.intensity(x, y) = static_cast<float>(grey - dark);
+      view.depth(x, y) = static_cast<float>(z);
+    }
+  }
+  view.round();
+  return view;
+}
+
+// What the shadows lead to is a minimum of its own; the truth lies along the optical axis.
+TEST(MovingShadows, AreLeftAlongTheAxis) {
+  constexpr double ahead = 0.25;
+  const Rendering reference = shadowed_road(0, 0);
+  const Pyramid before = pyramid_of(reference);
+  const PointSet points = exact_points(
+      reference, camera, before, 3, [](int, int) { return true; }, 0.001f);
+  for (const double shadows : {0.1, 0.15, 0.2}) {
+    const Pyramid now = pyramid_of(shadowed_road(ahead, shadows));
+    const SE3d captured = SE3d::translation(Vector3<double>(0, 0, shadows - ahead));
+    DirectAligner<> aligner;
+    dot::MinimaWorkspace workspace;
+    const Alignment a = CameraMotionEstimator{}.estimate(points, now, camera, {captured}, nullptr, aligner, workspace);
+    EXPECT_LT((a.state.T.t + Vector3<double>(0, 0, ahead)).norm(), 0.005) << shadows;
   }
 }
 

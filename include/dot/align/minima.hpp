@@ -60,9 +60,8 @@ struct Minima {
 /// Buffers of the estimators that look for such minima.
 struct MinimaWorkspace {
   Minima minima;
-  std::vector<AlignState> starts, near;                ///< those `near` a minimum are for fine levels only
-  std::vector<std::pair<double, SE3d>> tried, turns;   ///< places with their costs
-  std::vector<std::pair<double, AlignState>> shifted;  ///< likewise
+  std::vector<AlignState> starts, near;                     ///< those `near` a minimum: for fine levels only
+  std::vector<std::pair<double, AlignState>> tried, turns;  ///< with their costs
   PointCosts costs;
   std::vector<std::pair<double, std::size_t>> ranked;  ///< costs of the minima
   std::vector<Alignment> kept;

@@ -61,7 +61,7 @@ struct CameraMotionEstimator {
       add_near({predicted[i], found.gain, found.offset});
     }
     if (predicted.back().log().norm() > 1e-3) add({SE3d{}, first.gain, first.offset}, top);
-    workspace.few.take_every(std::max(1, points.size() / kRanked), points);
+    workspace.few.take_every(std::max(1, points.size() / (search ? kSearched : kRanked)), points);
     const AlignProblem<Camera> few{workspace.few, image, camera};
     if (search) {
       const int level = CameraSearch::level_of(top + 1);
@@ -116,14 +116,18 @@ struct CameraMotionEstimator {
  private:
   static constexpr double kMinGain = 0.2;         ///< of the exposure between two frames
   static constexpr std::size_t kCompared = 8;     ///< minima whose neighbours are looked at
-  static constexpr int kRanked = 800;             ///< points by which many places are ranked, at least
+  static constexpr int kRanked = 500;             ///< points by which many places are ranked, at least
+  static constexpr int kSearched = 800;           ///< likewise of a search
   static constexpr int kEnoughRanked = 100;       ///< of these that a minimum must see, or min_points, if fewer
-  static constexpr int kShifts = 6;               ///< to either side
+  static constexpr int kStepsAhead = 16;          ///< of the shifts, to either side: 5 cm on a road
+  static constexpr int kSteps = 6;                ///< where rotation follows
+  static constexpr double kHopeless = 1.5;        ///< times the cost of where a shift begins
   static constexpr double kAnotherMinimum = 5.0;  ///< pixels between the points' places at this one and at another
 
-  /// Sets the starts to those that may lead to other minima along the least determined direction, on the road that of
-  /// travel: as pure translations, and with rotation, gain and offset following as the covariance says, the two best of
-  /// those that fit better than their neighbours. Where the cost only rises, there is none.
+  /// Sets the starts to those that may lead to other minima: shifts along the optical axis, on which the near ground
+  /// looks alike in small steps, and along the least determined direction with rotation, gain and offset following as
+  /// the covariance says; the two best of those that fit better than their neighbours. Where the cost only rises, there
+  /// is none.
   template <typename Camera, typename Aligner>
   void shifted(const AlignProblem<Camera>& problem, const Alignment& a, int level, double sigma, double depth,
                Aligner& aligner, MinimaWorkspace& workspace) const {
@@ -133,23 +137,28 @@ struct CameraMotionEstimator {
     const Eigen::SelfAdjointEigenSolver<Matrix3<double>> eigen(C);
     const Vector3<double> direction = eigen.eigenvectors().col(2);
     const Vector8 follow = a.covariance.leftCols<3>() * C.ldlt().solve(direction);
-    Vector8 alone = Vector8::Zero();
+    Vector8 ahead = Vector8::Zero(), alone = Vector8::Zero();
+    ahead[2] = 1;
     alone.head<3>() = direction;
     if (!follow.allFinite()) return;
     const double reach = std::min(settings.restart_shift, 0.1 * depth);
-    const auto start = [&](const Vector8& x, int i) {
-      const Vector8 shift = reach * i / kShifts * x;
-      return AlignState{SE3d::exp(shift.head<6>()) * a.state.T, a.state.gain + shift[6], a.state.offset + shift[7]};
-    };
     const double middle = aligner.rank(problem, a.state, level, sigma);
-    auto& found = workspace.shifted;
+    auto& found = workspace.tried;
     found.clear();
-    for (const Vector8& x : {alone, follow})
+    const auto along = [&](const Vector8& x, int steps) {
+      const auto start = [&](int i) {
+        const Vector8 shift = reach * i / steps * x;
+        return AlignState{SE3d::exp(shift.head<6>()) * a.state.T, a.state.gain + shift[6], a.state.offset + shift[7]};
+      };
       find_minima(
-          kShifts, [&](int i) { return i == 0 ? middle : aligner.rank(problem, start(x, i), level, sigma); },
+          steps, [&](int i) { return i == 0 ? middle : aligner.rank(problem, start(i), level, sigma); },
           [&](double cost, int i) {
-            if (i != 0) found.push_back({cost, start(x, i)});
+            if (i != 0 && cost < kHopeless * middle) found.push_back({cost, start(i)});
           });
+    };
+    along(ahead, kStepsAhead);
+    along(alone, kSteps);
+    along(follow, kSteps);
     keep_cheapest(found, 2);
     for (const auto& place : found) starts.push_back(place.second);
   }

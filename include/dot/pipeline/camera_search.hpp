@@ -23,8 +23,8 @@ struct CameraSearch {
   const Pyramid& before;  ///< of the image before
   SE3d T_before_j;        ///< pose of its camera from the points' frame
 
-  /// Sets workspace.starts, poses T_i_j of the problem at equal exposure, and workspace.near, which are some pixels of
-  /// level 0 from what they lead to.
+  /// Sets workspace.starts, poses T_i_j of the problem at the exposure that the two images suggest, and workspace.near,
+  /// which are some pixels of level 0 from what they lead to.
   /// @param depth of the points, metres; @param sigma grey values, scale of the residuals on level_of(...).
   template <typename Camera, typename Aligner>
   void find(const AlignProblem<Camera>& problem, double depth, double sigma, Aligner& aligner,
@@ -34,16 +34,16 @@ struct CameraSearch {
     find_turns(problem, aligner, workspace);
     for (const auto& turn : workspace.turns) {
       const std::size_t others = tried.size();
-      add_shifts(problem, turn.second * T_before_j, depth, sigma, aligner, tried);
+      add_shifts(problem, moved(turn.second, turn.second.T * T_before_j), depth, sigma, aligner, tried);
       keep_cheapest(tried, kShifts, others);
     }
     workspace.starts.clear();
     workspace.near.clear();
     for (auto& place : tried) {
-      workspace.starts.push_back({place.second});
+      workspace.starts.push_back(place.second);
       if (!improve(problem, depth, sigma, aligner, place)) continue;
       improve(problem, depth, sigma, aligner, place);
-      workspace.near.push_back({place.second});
+      workspace.near.push_back(place.second);
     }
   }
 
@@ -56,7 +56,7 @@ struct CameraSearch {
   static int level_of(int levels) { return std::min(2, levels - 1); }
 
  private:
-  using Places = std::vector<std::pair<double, SE3d>>;  ///< with their costs
+  using Places = std::vector<std::pair<double, AlignState>>;  ///< with their costs
 
   static constexpr int kDistantPoints = 700;   ///< of the smallest image, roughly
   static constexpr std::size_t kAligned = 10;  ///< turns of the grid that are refined
@@ -66,11 +66,29 @@ struct CameraSearch {
   static constexpr double kAnotherTurn = 4;    ///< pixels of level 0 between two that differ
   static constexpr double kInCommon = 0.5;     ///< share of the past image that is to be in the new one
 
+  /// Gain and offset that give one image the mean and the standard deviation of another. What has entered or left the
+  /// view disturbs them less than an automatic exposure does.
+  static AlignState exposure_between(const Image<std::uint8_t>& from, const Image<std::uint8_t>& to) {
+    const auto moments = [](const Image<std::uint8_t>& image) {
+      double sum = 0, squares = 0;
+      for (int y = 0; y < image.height(); ++y)
+        for (const std::uint8_t* grey = image.row(y); grey != image.row(y) + image.width(); ++grey)
+          sum += *grey, squares += 1.0 * *grey * *grey;
+      const double n = 1.0 * image.width() * image.height(), mean = sum / n;
+      return std::pair{mean, std::sqrt(std::max(0.0, squares / n - mean * mean))};
+    };
+    const auto [mean_from, sigma_from] = moments(from);
+    const auto [mean_to, sigma_to] = moments(to);
+    const double gain = sigma_from > 0 ? sigma_to / sigma_from : 1;
+    return {SE3d{}, gain, mean_to - gain * mean_from};
+  }
+
   /// Sets workspace.turns to those under which the past image correlates best with the new one, and to none at all.
   template <typename Camera, typename Aligner>
   void find_turns(const AlignProblem<Camera>& problem, Aligner& aligner, MinimaWorkspace& workspace) const {
     Places& turns = workspace.turns;
-    turns.assign(1, {0, SE3d{}});
+    const AlignState unturned = exposure_between(before.levels.back(), problem.image.levels.back());
+    turns.assign(1, {0, unturned});
     const int level = std::min(before.size(), problem.image.size()) - 1, finer = std::max(0, level - 1);
     take_distant(before, level, finer, problem.camera, workspace.distant);
     const AlignProblem<Camera> distant{workspace.distant, problem.image, problem.camera};
@@ -86,15 +104,15 @@ struct CameraSearch {
       for (int y = -n; y <= n; ++y)
         for (int x = -n; x <= n; ++x) {
           const SE3d T = turn_by({x * side, y * side, z * roll});
-          grid.push_back({cost(T, level), T});
+          grid.push_back({cost(T, level), moved(unturned, T)});
         }
     keep_cheapest(grid, kAligned);
     for (const auto& place : grid) {
-      const SE3d T{aligner.align(distant, {place.second}, level, finer).state.T.R, Vector3<double>::Zero()};
+      const SE3d T{aligner.align(distant, place.second, level, finer).state.T.R, Vector3<double>::Zero()};
       const bool known = std::any_of(turns.begin() + 1, turns.end(), [&](const auto& other) {
-        return pose_distance(workspace.distant, problem.camera, T, other.second) < kAnotherTurn;
+        return pose_distance(workspace.distant, problem.camera, T, other.second.T) < kAnotherTurn;
       });
-      if (!known) turns.push_back({cost(T, finer), T});
+      if (!known) turns.push_back({cost(T, finer), moved(unturned, T)});
     }
     keep_cheapest(turns, kTurns, 1);
     grid.clear();
@@ -127,21 +145,23 @@ struct CameraSearch {
       }
   }
 
+  /// The same exposure elsewhere.
+  static AlignState moved(const AlignState& from, const SE3d& T) { return {T, from.gain, from.offset}; }
   static SE3d turn_by(const Vector3<double>& w) { return {so3::exp(w), Vector3<double>::Zero()}; }
 
   /// Adds shifts along each axis that fit better than their neighbours. Sideways up to half the depth, which leaves
   /// little of the image in common; along the optical axis, where what is far stays in sight, twice as far.
   template <typename Camera, typename Aligner>
-  void add_shifts(const AlignProblem<Camera>& problem, const SE3d& from, double depth, double sigma, Aligner& aligner,
-                  Places& places) const {
+  void add_shifts(const AlignProblem<Camera>& problem, const AlignState& from, double depth, double sigma,
+                  Aligner& aligner, Places& places) const {
     const int level = level_of(std::min(problem.points.levels, problem.image.size()));
     for (int axis = 0; axis < 3; ++axis) {
       const double reach = std::min(metres, (axis == 2 ? 1 : 0.5) * depth);
       const auto place = [&](int i) {
-        return SE3d::translation(Vector3<double>::Unit(axis) * reach * i / kSteps) * from;
+        return moved(from, SE3d::translation(Vector3<double>::Unit(axis) * reach * i / kSteps) * from.T);
       };
       find_minima(
-          kSteps, [&](int i) { return aligner.rank(problem, {place(i)}, level, sigma); },
+          kSteps, [&](int i) { return aligner.rank(problem, place(i), level, sigma); },
           [&](double cost, int i) {
             places.push_back({cost, place(i)});
           });
@@ -153,17 +173,17 @@ struct CameraSearch {
   /// @return whether one was better.
   template <typename Camera, typename Aligner>
   bool improve(const AlignProblem<Camera>& problem, double depth, double sigma, Aligner& aligner,
-               std::pair<double, SE3d>& place) const {
+               Places::value_type& place) const {
     const int level = level_of(std::min(problem.points.levels, problem.image.size()));
     const double turn = 2 * (1 << level) / problem.camera.intrinsics().fx;
     const double shift = 0.5 * std::min(metres, depth) / kSteps;
     const double cost_before = place.first;
     const auto take_best = [&](int n, auto&& step) {
-      const SE3d from = place.second;
+      const AlignState from = place.second;
       for (int i = -n; i <= n; ++i) {
-        const SE3d T = step(i) * from;
-        const double cost = i == 0 ? place.first : aligner.rank(problem, {T}, level, sigma);
-        if (cost < place.first) place = {cost, T};
+        const AlignState there = moved(from, step(i) * from.T);
+        const double cost = i == 0 ? place.first : aligner.rank(problem, there, level, sigma);
+        if (cost < place.first) place = {cost, there};
       }
     };
     take_best(2, [&](int i) { return turn_by({i * turn, 0, 0}); });

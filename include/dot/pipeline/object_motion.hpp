@@ -224,10 +224,10 @@ struct ObjectMotionEstimator {
       for (double dx = -std::floor(reach / side) * side; dx <= reach; dx += side) {
         const SE3d T_o = SE3d::translation(Vector3<double>(dx, 0, dz));
         const double cost = aligner.rank(problem, {problem.T_outer * T_o, still.gain, still.offset}, level, sigma);
-        if (std::isfinite(cost)) found.push_back({cost, T_o});
+        if (std::isfinite(cost)) found.push_back({cost, {T_o}});
       }
     keep_cheapest(found, 3);
-    for (const auto& place : found) starts.push_back(place.second);
+    for (const auto& place : found) starts.push_back(place.second.T);
   }
 
   template <typename Camera, typename Noise>

@@ -8,6 +8,9 @@
 #                                             AVX-512: `track` takes the AVX2 kernels
 set -euo pipefail
 build=$1 sequence=$2
+for program in "$build/bench/dot_bench" "$build/examples/dot_run"; do
+  [ -x "$program" ] || { echo "instructions.sh: no $program" >&2; exit 1; }
+done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -298,6 +299,37 @@ TEST(Departing, FlipsWithinHalfASecond) {
       record.expect_one_id(mover);
       record.expect_never(parked, State::Moving);
     }
+}
+
+// It comes in over the image's border, and its last mask shows a part of it. In one frame its image is of no use.
+TEST(Growth, OfAMoverGoesOnWithoutAFit) {
+  constexpr int masked = 2, spoilt = 4;
+  Film<> film;
+  film.add(mover, straight({-5.4, 1.3, 6}, {4, 0, 0}));
+  film.edit = [](int i, Frame& frame) {
+    if (i > masked) frame.masks.reset();
+  };
+  film.spoil = [](int i, Rendering& seen) {
+    std::mt19937 random(1);
+    for (int y = 0; y < seen.ids.height(); ++y)
+      for (int x = 0; x < seen.ids.width(); ++x)
+        if (i == spoilt && seen.ids(x, y) == mover) seen.intensity(x, y) = static_cast<float>(random() % 256);
+    seen.round();
+  };
+  Tracker tracker = make_tracker();
+  int area_masked = 0;
+  for (int i = 0; i <= spoilt; ++i) {
+    const Result& result = film.next(tracker);
+    const ObjectResult* o = object_on(result, film.truth().ids, mover);
+    ASSERT_TRUE(o) << i;
+    const Overlap seen = overlap(film.truth().ids, mover, result.ids, o->id);
+    if (i == masked) area_masked = seen.truth;
+    if (i != spoilt) continue;
+    EXPECT_EQ(o->state, State::Moving) << describe(o);
+    EXPECT_NE(o->reason, Reason::None);
+    EXPECT_GT(seen.truth, 1.5 * area_masked);
+    EXPECT_GT(seen.iou(), 0.9);
+  }
 }
 
 // It goes out of sight with its rear and comes out with its front: the outlines do not overlap.

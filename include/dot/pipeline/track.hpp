@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -83,6 +84,12 @@ struct Track {
 
   /// Whether the classifier tells a velocity; some have none after a frame without a fit.
   bool has_velocity() const { return velocity_covariance.trace() > 0; }
+
+  /// Whether it moves, and by its velocity alone would now be where it is but for a tenth of its size.
+  bool goes_on_surely(double timestamp) const {
+    return state == State::Moving && has_velocity() &&
+           std::sqrt(velocity_covariance.trace()) * (timestamp - trust.last_fit) < 0.1 * size;
+  }
 
   bool is_shown() const { return visible && !lost && !candidate; }
 

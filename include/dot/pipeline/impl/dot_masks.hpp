@@ -280,7 +280,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label() {
   for (auto i = order.rbegin(); i != order.rend(); ++i) {
     TrackT& t = **i;
     std::array<int, 4> box = t.mask.box();
-    if (!t.observed && t.outline_is_newest && t.fit.ok())
+    if (!t.observed && t.outline_is_newest && (t.fit.ok() || t.goes_on_surely(current_.timestamp)))
       grow(
           segmented_frame_, t.T_cur_outline.inverse(), T_cur_segmented_.inverse(), camera_,
           current_.inverse_depth().view(), t.id, [this](double q) { return depth_tolerance(q); }, grow_workspace_, ids_,

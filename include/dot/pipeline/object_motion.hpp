@@ -220,9 +220,10 @@ struct ObjectMotionEstimator {
     const double side = std::max(2 * z / focal, reach / steps), along = std::max(z / half_size, reach / 6);
     auto& found = workspace.tried;
     found.clear();
-    for (double dz = -std::floor(reach / along) * along; dz <= reach; dz += along)
-      for (double dx = -std::floor(reach / side) * side; dx <= reach; dx += side) {
-        const SE3d T_o = SE3d::translation(Vector3<double>(dx, 0, dz));
+    const int n = static_cast<int>(reach / side), m = static_cast<int>(reach / along);
+    for (int k = -m; k <= m; ++k)
+      for (int i = -n; i <= n; ++i) {
+        const SE3d T_o = SE3d::translation(Vector3<double>(i * side, 0, k * along));
         const double cost = aligner.rank(problem, {problem.T_outer * T_o, still.gain, still.offset}, level, sigma);
         if (std::isfinite(cost)) found.push_back({cost, {T_o}});
       }

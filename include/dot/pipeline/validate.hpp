@@ -102,11 +102,10 @@ inline void validate(const char* name, const Masks& masks, int width, int height
 inline void validate(const FieldName& field, const std::array<double, 12>& T) {
   for (const double v : T)
     if (!std::isfinite(v)) bad_field(field, "must be finite");
-  for (int r = 0; r < 3; ++r)
-    for (int c = r; c < 3; ++c) {
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = r; c < 3; ++c) {
       double dot = 0;
-      for (int k = 0; k < 3; ++k)
-        dot += T[static_cast<std::size_t>(4 * r + k)] * T[static_cast<std::size_t>(4 * c + k)];
+      for (std::size_t k = 0; k < 3; ++k) dot += T[4 * r + k] * T[4 * c + k];
       if (std::abs(dot - (r == c)) > 1e-3) bad_field(field, "is not a rotation");
     }
   const double det =

@@ -153,8 +153,8 @@ struct Selector {
       PlaneFit fit = planes[i];
       if (region.shared) {
         fit = *region.shared;
-        fit.q += fit.du * static_cast<float>(seed.u - region.box.width / 2) +
-                 fit.dv * static_cast<float>(seed.v - region.box.height / 2);
+        const int du = seed.u - region.box.width / 2, dv = seed.v - region.box.height / 2;
+        fit.q += fit.du * static_cast<float>(du) + fit.dv * static_cast<float>(dv);
         if (!(fit.q > 0) || (seed.q > 0 && std::abs(seed.q - fit.q) > seed.gate)) continue;
       } else if (fit.inliers == 0 || fit.variance > 6.25f * sigma * sigma) {
         continue;

@@ -73,8 +73,8 @@ class PlaneFitter {
       left_[lane] = static_cast<float>(x0), top_[lane] = static_cast<float>(y0);
       last_column_[lane] = static_cast<float>(x1 - x0), last_row_[lane] = static_cast<float>(y1 - y0);
       to_x_[lane] = x0 - seed.u, to_y_[lane] = y0 - seed.v;
-      const int height = y1 - y0 + 1;
-      rows_for_one_[lane] = 1.0 * height / ((height + window_.row_step - 1) / window_.row_step);
+      const int height = y1 - y0 + 1, taken = (height + window_.row_step - 1) / window_.row_step;
+      rows_for_one_[lane] = 1.0 * height / taken;
       before_[lane] = 0;
       planes_[lane] = {};
       first_[lane] = seed.q, du_[lane] = dv_[lane] = 0;

@@ -10,10 +10,13 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
   mirror        left and right exchanged
   crop          the middle half, left to right
   slow          every other frame
+  reverse       the frames from the last to the first
+  late          without the first 13 frames
   flicker       brightness that jumps by up to a quarter and 10 grey values from frame to frame
   noise         noise of 8 grey values
   dark          a quarter of the brightness, noise of 1.5 grey values
   near          no depth beyond 20 m
+  bias          disparities wrong by up to a pixel at the borders, as from a stereo pair calibrated badly
 """
 import glob
 import os
@@ -35,7 +38,16 @@ def shrunk(image, folder, n):
     return cv2.resize(image, (image.shape[1] // n, image.shape[0] // n), interpolation=cv2.INTER_AREA)
 
 
-def changed(image, folder, kind, random):
+def biased(depth, focal_baseline):
+    """Depth, 1/256 m, of disparities that are too small at the left border and too large right of the middle."""
+    height, width = depth.shape
+    u, v = np.meshgrid(np.linspace(-1, 1, width), np.linspace(-1, 1, height))
+    disparity = focal_baseline * 256 / np.maximum(depth, 1) + 0.6 * np.sin(2.4 * u + 0.4) + 0.2 * v - 0.1
+    changed = np.clip(focal_baseline * 256 / np.maximum(disparity, 0.1), 1, 65535)
+    return np.where(depth > 0, np.round(changed), 0).astype(depth.dtype)
+
+
+def changed(image, folder, kind, random, focal_baseline):
     if kind in ("half", "third"):
         return shrunk(image, folder, 2 if kind == "half" else 3)
     if kind == "mirror":
@@ -47,6 +59,8 @@ def changed(image, folder, kind, random):
     if kind in ("noise", "dark") and folder == "rgb":
         gain, sigma = (1, 8) if kind == "noise" else (0.25, 1.5)
         return np.clip(gain * image + random.normal(0, sigma, image.shape), 0, 255).astype(np.uint8)
+    if kind == "bias" and folder == "depth":
+        return biased(image, focal_baseline)
     if kind == "near" and folder == "depth":
         return np.where(image > 20 * 256, 0, image).astype(image.dtype)
     return image
@@ -74,22 +88,32 @@ def mirrored(pose):
     return [f"{v:.9g}" for v in (mirror @ T @ mirror)[:3].ravel()]
 
 
+def order(frames, kind):
+    """The recorded frames in the order of the new ones."""
+    if kind == "slow":
+        return frames[::2]
+    if kind == "reverse":
+        return frames[::-1]
+    return frames[13:] if kind == "late" else frames
+
+
 def make(kind, out, sequence):
     folder = os.path.join(out, f"{os.path.basename(os.path.normpath(sequence))}-{kind}")
     os.makedirs(folder, exist_ok=True)
     random = np.random.default_rng(1)
-    step = 2 if kind == "slow" else 1
-    frames = sorted(os.path.basename(f)[:-4] for f in glob.glob(f"{sequence}/instance/*.png"))
-    first = int(frames[0])
+    frames = sorted(int(os.path.basename(f)[:-4]) for f in glob.glob(f"{sequence}/instance/*.png"))
+    with open(f"{sequence}/intrinsics.txt") as f:
+        intrinsics = [float(v) for v in f.readline().split()]
+    number = {frame: i for i, frame in enumerate(order(frames, kind))}
     for name in IMAGES:
         for path in sorted(glob.glob(f"{sequence}/{name}/*")):
             stem, suffix = os.path.splitext(os.path.basename(path))
-            if (int(stem) - first) % step:
+            if int(stem) not in number:
                 continue
-            target = f"{folder}/{name}/{(int(stem) - first) // step:06d}"
+            target = f"{folder}/{name}/{number[int(stem)]:06d}"
             os.makedirs(f"{folder}/{name}", exist_ok=True)
             if suffix in (".png", ".jpg"):
-                image = changed(cv2.imread(path, cv2.IMREAD_UNCHANGED), name, kind, random)
+                image = changed(cv2.imread(path, cv2.IMREAD_UNCHANGED), name, kind, random, intrinsics[0] * intrinsics[6])
                 cv2.imwrite(f"{target}.png", np.ascontiguousarray(image), [cv2.IMWRITE_PNG_COMPRESSION, 1])
             else:
                 shutil.copy(path, target + suffix)
@@ -97,25 +121,26 @@ def make(kind, out, sequence):
         g.write(camera(f.readline(), kind) + f.read())
     with open(f"{sequence}/objects.csv") as f, open(f"{folder}/objects.csv", "w") as g:
         g.write(f.readline())
-        for line in f:
-            frame, rest = line.split(",", 1)
-            if (int(frame) - first) % step == 0:
-                g.write(f"{(int(frame) - first) // step},{rest}")
+        rows = [line.split(",", 1) for line in f]
+        rows = [(number[int(frame)], rest) for frame, rest in rows if int(frame) in number]
+        g.writelines(f"{i},{rest}" for i, rest in sorted(rows, key=lambda row: row[0]))
     for name, before in POSES:
         if not os.path.exists(f"{sequence}/{name}"):
             continue
-        with open(f"{sequence}/{name}") as f, open(f"{folder}/{name}", "w") as g:
-            for i, line in enumerate(f):
-                v = line.split()
-                frame = int(v[0]) - first if before else i
-                if frame % step:
-                    continue
-                head = [str(frame // step)] + v[1:before] if before else []
-                g.write(" ".join(head + (mirrored(v[before:]) if kind == "mirror" else v[before:])) + "\n")
+        with open(f"{sequence}/{name}") as f:
+            lines = [line.split() for line in f]
+        poses = []
+        for i, v in enumerate(lines):
+            frame = int(v[0]) if before else frames[i]
+            if frame in number:
+                pose = mirrored(v[before:]) if kind == "mirror" else v[before:]
+                poses.append((number[frame], ([str(number[frame])] + v[1:before] if before else []) + pose))
+        with open(f"{folder}/{name}", "w") as g:
+            g.writelines(" ".join(words) + "\n" for _, words in sorted(poses, key=lambda pose: pose[0]))
 
 
 def main():
-    kinds = ("half", "third", "mirror", "crop", "slow", "flicker", "noise", "dark", "near")
+    kinds = ("half", "third", "mirror", "crop", "slow", "reverse", "late", "flicker", "noise", "dark", "near", "bias")
     if len(sys.argv) < 4 or sys.argv[1] not in kinds:
         sys.exit(__doc__)
     for sequence in sys.argv[3:]:

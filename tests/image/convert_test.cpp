@@ -156,6 +156,26 @@ TEST(InverseDepthRows, SixteenBitsHaveTheirUnit) {
   EXPECT_EQ(q(3, 0), 0);  // 256 m, too far
 }
 
+TEST(UnbiasedDepthRows, LosesTheBiasOfItsPlace) {
+  constexpr int width = 40, height = 20;
+  std::vector<float> metres(width * height, 4.f);
+  metres[3] = 0, metres[width] = 50;
+  const ImageRef depth{metres.data(), width, height, width * 4, PixelFormat::DepthF32};
+  dot::DepthBias bias;
+  bias.coefficients << 0.02, -0.03, 0.04, 0.01, -0.02, 0.03, 0.05;
+  Image<float> rows;
+  dot::UnbiasedDepthRows unbiased(depth, 80, bias, rows);
+  std::vector<float> row(width);
+  for (int y = 0; y < height; ++y) {
+    unbiased(y, row.data());
+    for (int x = 0; x < width; ++x) {
+      const double measured = 1 / static_cast<double>(metres[static_cast<std::size_t>(y * width + x)]);
+      const double q = std::max(1.0 / 80, measured - bias(2.0 * x / width - 1, 2.0 * y / height - 1));
+      ASSERT_NEAR(row[static_cast<std::size_t>(x)], x == 3 && y == 0 ? 0 : q, 1e-6) << x << ", " << y;
+    }
+  }
+}
+
 TEST(InverseDepthRows, ObeysTheStride) {
   const std::vector<float> metres{1, 2, -7, 4, 5, -7};
   Image<float> q;

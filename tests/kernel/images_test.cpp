@@ -13,8 +13,8 @@
 #include "support/random.hpp"
 
 /// @file
-/// Every kernel of this machine gives the same rows to the bit, whatever their length, and touches nothing beyond them:
-/// each lies against a page that may not be touched.
+/// Every kernel of this machine gives the same rows, to the bit or to float rounding, whatever their length, and
+/// touches nothing beyond them: each lies against a page that may not be touched.
 
 namespace {
 
@@ -50,6 +50,28 @@ TEST(ImageKernels, InvertDepth) {
         for (int i = 0; i < n; ++i) {
           const auto z = static_cast<float>(values[i]);
           ASSERT_EQ(out.floats()[i], z > 0.256f && z < 80 * 256 ? 256 / z : 0) << k->name << ": " << z;
+        }
+      }
+    }
+}
+
+TEST(ImageKernels, TakeBias) {
+  Random random(6);
+  for (const bool at_the_end : {true, false})
+    for (const int n : lengths) {
+      const auto size = static_cast<std::size_t>(n);
+      const Guarded q(4 * size, at_the_end), base(4 * size, at_the_end), slope(4 * size, at_the_end);
+      const Guarded out(4 * size, at_the_end);
+      for (int i = 0; i < n; ++i) {
+        q.floats()[i] = random.uniform() < 0.3 ? 0 : static_cast<float>(random.uniform(0, 0.5));
+        base.floats()[i] = static_cast<float>(random.uniform(-0.2, 0.2));
+        slope.floats()[i] = static_cast<float>(random.uniform(-0.2, 0.2));
+      }
+      for (const kernel::Kernels* k : kernel_variants()) {
+        k->take_bias(q.floats(), n, {base.floats(), slope.floats(), -0.5f, 0.01f}, out.floats());
+        for (int i = 0; i < n; ++i) {
+          const float without = q.floats()[i] - (base.floats()[i] - 0.5f * slope.floats()[i]);
+          ASSERT_NEAR(out.floats()[i], q.floats()[i] > 0 ? std::max(without, 0.01f) : 0, 1e-7) << k->name;
         }
       }
     }

@@ -44,4 +44,26 @@ TEST(PointSet, TakesAllOrNone) {
   EXPECT_EQ(few.size(), 0);
 }
 
+// Of a bias that becomes known bit by bit, each point loses what the last one says at its place.
+TEST(PointSet, TakesWhatBecomesKnownOfABias) {
+  PointSet points;
+  points.push(0, 0, 0, 0, 0.5f, 0);
+  points.push(100, 50, 0, 0, 0.5f, 0);
+  points.push(150, 50, 0, 0, 0.02f, 0);
+  dot::DepthBias first, second;
+  first.coefficients[1] = 0.1;  // -0.1 at the left border, 0 in the middle, 0.05 between that and the right one
+  EXPECT_TRUE(points.take(first, 200, 100));
+  EXPECT_NEAR(points.q[0], 0.6, 1e-6);
+  EXPECT_NEAR(points.q[1], 0.5, 1e-6);
+  EXPECT_GT(points.q[2], 0);  // as far as can be, but seen
+  EXPECT_FALSE(points.take(first, 200, 100));
+  second.coefficients[1] = 0.1, second.coefficients[5] = 0.2;
+  EXPECT_TRUE(points.take(second, 200, 100));
+  EXPECT_NEAR(points.q[0], 0.8, 1e-6);
+  EXPECT_NEAR(points.q[1], 0.5, 1e-6);
+  EXPECT_EQ(points.bias.coefficients, second.coefficients);
+  points.clear();
+  EXPECT_TRUE(points.bias.is_zero());
+}
+
 }  // namespace

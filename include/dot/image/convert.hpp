@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "dot/abi.hpp"
+#include "dot/camera/depth_bias.hpp"
 #include "dot/image/image.hpp"
 #include "dot/kernel/portable_kernels.hpp"
 
@@ -76,6 +77,36 @@ class InverseDepthRows {
   const kernel::Kernels& kernels_;
   bool words_;
   kernel::DepthUnits units_;
+};
+
+/// The same without a bias. What it would take behind `max_depth` metres is that far.
+class UnbiasedDepthRows {
+ public:
+  /// @param rows scratch. All else is borrowed.
+  UnbiasedDepthRows(const ImageRef& depth, double max_depth, const DepthBias& bias, Image<float>& rows,
+                    const kernel::Kernels& kernels = portable_kernels())
+      : measured_(depth, max_depth, kernels), kernels_(kernels), rows_(rows), height_(depth.height) {
+    rows.resize(depth.width, 3);
+    row_ = {rows.row(1), rows.row(2), 0, static_cast<float>(1 / max_depth)};
+    for (int u = 0; u < depth.width; ++u) {
+      const double s = 2.0 * u / depth.width - 1, middle = bias(s, 0);
+      rows(u, 1) = static_cast<float>(middle);
+      rows(u, 2) = static_cast<float>(bias(s, 1) - middle);
+    }
+  }
+
+  void operator()(int y, float* out) {
+    measured_(y, rows_.row(0));
+    row_.t = 2 * static_cast<float>(y) / static_cast<float>(height_) - 1;
+    kernels_.take_bias(rows_.row(0), rows_.width(), row_, out);
+  }
+
+ private:
+  InverseDepthRows measured_;
+  const kernel::Kernels& kernels_;
+  Image<float>& rows_;  ///< what was measured; the bias at t = 0, and its growth with t
+  int height_;
+  kernel::RowBias row_;
 };
 
 DOT_END_NAMESPACE

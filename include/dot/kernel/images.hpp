@@ -13,6 +13,14 @@ struct DepthUnits {
   float near = 0, far = 0;  ///< values; beyond them is no measurement, nor is NaN
 };
 
+/// What is wrong with the inverse depths of a row, 1/m: base + slope * t, one of each for a pixel.
+struct RowBias {
+  const float* base = nullptr;
+  const float* slope = nullptr;
+  float t = 0;
+  float least = 0;  ///< 1/m: what is less without the bias is that
+};
+
 /// Weights of a symmetric filter of five pixels, in 1/256: `middle + 2 (next + outer) = 256`.
 struct BlurWeights {
   unsigned short middle = 256, next = 0, outer = 0;

@@ -31,6 +31,8 @@ struct Kernels {
   /// Inverse depth of n values of a row, 1/m; 0 where there is no measurement.
   void (*invert_words)(const unsigned short* values, int n, const DepthUnits& units, float* out);
   void (*invert_floats)(const float* values, int n, const DepthUnits& units, float* out);
+  /// n inverse depths without their bias; 0 remains 0. `out` is another row.
+  void (*take_bias)(const float* q, int n, const RowBias& bias, float* out);
   /// The mean of those of 2x2 pixels that belong to the nearest surface among them; n pixels of 2 n in each row.
   void (*halve_depth)(const float* upper, const float* lower, int n, float* out);
   /// A row from five of n pixels, blurred both ways; pixels at the ends serve as those beyond. Rounded once.

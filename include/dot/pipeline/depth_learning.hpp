@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dot/camera/concept.hpp"
+#include "dot/camera/depth_bias.hpp"
 #include "dot/camera/depth_noise.hpp"
 #include "dot/image/image.hpp"
 #include "dot/lie/se3.hpp"
@@ -31,8 +32,10 @@ struct DepthLearning {
 
   /// Sampled patches of a frame.
   struct Patches {
-    std::vector<float> x, y, q;  ///< ray and inverse depth of each sample
-    std::vector<int> begin;      ///< first sample of each patch, and the end
+    std::vector<float> x, y, q;           ///< ray and inverse depth of each sample
+    std::vector<int> begin;               ///< first sample of each patch, and the end
+    std::vector<DepthBias::Terms> place;  ///< of each patch's middle
+    DepthBias bias;                       ///< that was taken from q
     double timestamp = 0;
     SE3d T_cur_ref;
   };
@@ -77,13 +80,15 @@ struct DepthLearning {
   }
 
   /// Cuts the frame's background. `background` is zero where objects are.
+  /// @param bias that was taken from the depth: it may be known better when the frame is compared.
   template <typename Camera>
   void remember(const Camera& camera, const Image<float>& inverse_depth, const Image<std::uint8_t>& background,
-                double timestamp) {
+                double timestamp, const DepthBias& bias = {}) {
     Patches p;
     if (!spare_.empty()) p = std::move(spare_.back()), spare_.pop_back();
-    p.x.clear(), p.y.clear(), p.q.clear(), p.begin.clear();
+    p.x.clear(), p.y.clear(), p.q.clear(), p.begin.clear(), p.place.clear();
     p.timestamp = timestamp;
+    p.bias = bias;
     p.T_cur_ref = {};
     const int columns = inverse_depth.width() / kWidth, rows = inverse_depth.height() / kHeight;
     const int every = std::max(1, columns * rows / kPatches);
@@ -100,10 +105,13 @@ struct DepthLearning {
                 camera.template unproject<float>(Vector2<float>(static_cast<float>(x), static_cast<float>(y)));
             p.x.push_back(ray.x()), p.y.push_back(ray.y()), p.q.push_back(q);
           }
-        if (p.q.size() - begin >= kMinSamples)
+        if (p.q.size() - begin >= kMinSamples) {
           p.begin.push_back(static_cast<int>(begin));
-        else
+          p.place.push_back(DepthBias::terms(2.0 * (x0 + kWidth / 2) / inverse_depth.width() - 1,
+                                             2.0 * (y0 + kHeight / 2) / inverse_depth.height() - 1));
+        } else {
           p.x.resize(begin), p.y.resize(begin), p.q.resize(begin);
+        }
       }
     p.begin.push_back(static_cast<int>(p.q.size()));
     history.insert(history.begin(), std::move(p));
@@ -112,15 +120,16 @@ struct DepthLearning {
   }
 
   /// Compares the new frame with the newest and the oldest remembered one, and scales `noise`.
+  /// @param bias that was taken from the depth.
   template <typename Camera>
   void learn(const Camera& camera, const SE3d& T_cur_prev, const Image<float>& inverse_depth, double timestamp,
-             DepthNoise& noise) {
+             DepthNoise& noise, const DepthBias& bias = {}) {
     for (Patches& p : history) p.T_cur_ref = T_cur_prev * p.T_cur_ref;
     if (history.empty()) return;
-    compare(camera, history.front(), inverse_depth, noise, change, &pixel);
+    compare(camera, history.front(), inverse_depth, noise, bias, change, &pixel);
     const Patches& oldest = history.back();
     if (timestamp - oldest.timestamp > 0.5 * reference_seconds)
-      compare(camera, oldest, inverse_depth, noise, common, nullptr);
+      compare(camera, oldest, inverse_depth, noise, bias, common, nullptr);
     noise.change_scale = change.blended();
     noise.common_scale = common.blended();
     noise.pixel_scale = pixel.said.empty() ? 1 : std::clamp(pixel.value(), 0.2, 2.0);
@@ -129,23 +138,26 @@ struct DepthLearning {
  private:
   template <typename Camera>
   void compare(const Camera& camera, const Patches& p, const Image<float>& inverse_depth, const DepthNoise& noise,
-               Scale& shared, Scale* single) {
+               const DepthBias& bias, Scale& shared, Scale* single) {
     const Matrix3<float> R = p.T_cur_ref.R.cast<float>();
     const Vector3<float> t = p.T_cur_ref.t.cast<float>();
     medians_.clear();
     scatters_.clear();
     motion_.clear();
+    const DepthBias::Terms learnt = bias.coefficients - p.bias.coefficients;
     for (std::size_t k = 0; k + 1 < p.begin.size(); ++k)
-      compare_patch(camera, p, k, R, t, inverse_depth, noise, single != nullptr);
+      compare_patch(camera, p, k, static_cast<float>(p.place[k].dot(learnt)), R, t, inverse_depth, noise,
+                    single != nullptr);
     if (medians_.size() < 5 || static_cast<double>(median(motion_.data(), motion_.size())) < kMinMotion) return;
     shared.add(quantile(medians_.data(), medians_.size(), 0.85) / 1.44f);
     if (single) single->add(median(scatters_.data(), scatters_.size()));
   }
 
   /// What one patch says, if it is seen again and is one surface.
-  /// @param scatter whether that of single pixels is asked for.
+  /// @param bias of its inverse depths, 1/m, that has become known since. @param scatter whether that of single pixels
+  /// is asked for.
   template <typename Camera>
-  void compare_patch(const Camera& camera, const Patches& p, std::size_t k, const Matrix3<float>& R,
+  void compare_patch(const Camera& camera, const Patches& p, std::size_t k, float bias, const Matrix3<float>& R,
                      const Vector3<float>& t, const Image<float>& inverse_depth, const DepthNoise& noise,
                      bool scatter) {
     differences_.clear();
@@ -153,7 +165,8 @@ struct DepthLearning {
     Vector3<float> last_ray = Vector3<float>::Zero();
     Vector2<float> last_position = Vector2<float>::Zero();
     for (auto i = static_cast<std::size_t>(p.begin[k]); i < static_cast<std::size_t>(p.begin[k + 1]); ++i) {
-      const Vector3<float> ray(p.x[i], p.y[i], 1), X = R * ray + p.q[i] * t;
+      const float q = p.q[i] - bias;
+      const Vector3<float> ray(p.x[i], p.y[i], 1), X = R * ray + q * t;
       if (X.z() < 1e-3f) continue;
       const Vector2<float> position = camera.template project<float>(X);
       // The nearest pixel; half a pixel beyond the outermost still has one.
@@ -163,26 +176,26 @@ struct DepthLearning {
         continue;
       const float measured = inverse_depth(static_cast<int>(x), static_cast<int>(y));
       if (measured <= 0) continue;
-      const float predicted = p.q[i] / X.z();
+      const float predicted = q / X.z();
       differences_.push_back(measured - predicted);
       last_ray = ray, last_position = position;
       q_min = std::min(q_min, predicted);
       q_max = std::max(q_max, predicted);
     }
     if (static_cast<int>(differences_.size()) < kMinSamples) return;
-    const double q = 0.5 * static_cast<double>(q_min + q_max);
-    const double other_surface = 7 * noise.prior_pixel(q);
-    const double relief = std::max(other_surface, 0.3 * q);
+    const double middle = 0.5 * static_cast<double>(q_min + q_max);
+    const double other_surface = 7 * noise.prior_pixel(middle);
+    const double relief = std::max(other_surface, 0.3 * middle);
     if (static_cast<double>(q_max - q_min) > relief) return;  // more than one surface
     const float m = median(differences_.data(), differences_.size());
     if (static_cast<double>(std::abs(m)) > other_surface) return;  // something nearer hides it now
     motion_.push_back((last_position - camera.template project<float>(last_ray)).norm());
-    medians_.push_back(static_cast<float>(std::abs(m) / noise.prior_common(q)));
+    medians_.push_back(static_cast<float>(std::abs(m) / noise.prior_common(middle)));
     if (!scatter) return;
     for (float& d : differences_) d = std::abs(d - m);
     scatters_.push_back(
         static_cast<float>(1.4826 * static_cast<double>(median(differences_.data(), differences_.size())) /
-                           std::sqrt(2.0) / noise.prior_pixel(q)));
+                           std::sqrt(2.0) / noise.prior_pixel(middle)));
   }
 
   /// All but the newest `count` frames; their memory serves the next ones.

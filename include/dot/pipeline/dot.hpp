@@ -16,6 +16,7 @@
 #include "dot/mask/association.hpp"
 #include "dot/mask/grow.hpp"
 #include "dot/motion/classifier.hpp"
+#include "dot/pipeline/bias_learning.hpp"
 #include "dot/pipeline/camera_motion.hpp"
 #include "dot/pipeline/depth_learning.hpp"
 #include "dot/pipeline/discovery.hpp"
@@ -89,7 +90,8 @@ class Dot {
 
   struct Current {
     Pyramid pyramid;
-    DepthPyramid depth;
+    DepthPyramid depth;  ///< without `bias`
+    DepthBias bias;
     double timestamp = 0;
     double dt = 0;  ///< seconds since the reference, 0 when there is none
     const Image<float>& inverse_depth() const { return depth.levels[0]; }
@@ -148,6 +150,7 @@ class Dot {
 
   void build(const Frame& frame);
   void camera_motion(const Frame& frame);
+  void learn_depth();
   void predict_tracks();
   void predict(TrackT& t, Worker& worker);
   void warp_outline(TrackT& object, const SE3d& T_frame_outline, const Image<float>& inverse_depth, Worker& worker);
@@ -201,7 +204,7 @@ class Dot {
   void make_references();
   void add_background(Worker& worker);
   void add_reference(TrackT& object, Worker& worker);
-  Reason make_reference(const Selector<Camera, Noise>& select, const Mask& mask, const Vector3<double>& centre,
+  Reason make_reference(const Current& frame, const Mask& mask, const Vector3<double>& centre, Worker& worker,
                         ObjectReference& r) const;
   void await_masks(const Frame& frame);
   SE3d T_cur_then(const TrackT& object, const Past& then) const;
@@ -231,6 +234,7 @@ class Dot {
   SE3d T_cur_background_;  ///< from that frame to the current one; the identity once `track` has new points
   PointSet fresh_;
   DepthLearning depth_learning_;
+  DepthBiasLearning bias_learning_;
   Discovery<Camera, Noise> discovery_;
   std::vector<Worker> workers_;  ///< one for each of the threads
   RecyclingList<TrackT> tracks_;
@@ -254,6 +258,7 @@ class Dot {
   Image<std::uint8_t> blocked_;          ///< where nothing is to be discovered
   Image<std::uint8_t> background_mask_;  ///< 255: no object there nor near
   Image<std::uint8_t> grey_rows_, mask_rows_;
+  Image<float> depth_rows_;
   std::vector<SE3d> camera_starts_;
   std::vector<TrackT*> selected_;  ///< by `tracks_that`
   /// Buffers of what continues tracks by observed masks.

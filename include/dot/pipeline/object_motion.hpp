@@ -38,6 +38,14 @@ struct ObjectReference {
     *this = std::move(fresh);
   }
 
+  /// The middle of the points.
+  void centre() {
+    double x = 0, y = 0, q = 0;
+    for (std::size_t i = 0; i < points.u.size(); ++i) x += points.x[i], y += points.y[i], q += points.q[i];
+    const double n = points.size();
+    centroid = Vector3<double>(x / n, y / n, 1) / (q / n);
+  }
+
   /// Another interval of the camera: its motion, with the covariance of the left twist, and the change of the image.
   void advance(const SE3d& T_c, const Matrix6<double>& covariance, double image_gain, double image_offset) {
     const Matrix6<double> Ad = T_c.adjoint();

@@ -59,6 +59,7 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(camera.restart_shift);
   DOT_OPTION(depth_noise.stereo_sigma_px);
   DOT_OPTION(depth_noise.stereo_common_px);
+  DOT_OPTION(depth_noise.stereo_bias_px);
   DOT_OPTION(depth_noise.rgbd_sigma);
   DOT_OPTION(depth_noise.rgbd_common);
   DOT_OPTION(depth_noise.lidar_sigma);

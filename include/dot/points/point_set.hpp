@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
 
 #include "dot/abi.hpp"
+#include "dot/camera/depth_bias.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -14,6 +16,7 @@ DOT_BEGIN_NAMESPACE
 /// intensities, so that a frame can be aligned to a past one without keeping its images.
 struct PointSet {
   static constexpr int kMaxLevels = 6;
+  static constexpr float kFarthest = 1e-4f;  ///< 1/m
 
   std::vector<float> u, v;                               ///< pixels of level 0
   std::vector<float> x, y;                               ///< ray (x, y, 1), camera axes
@@ -22,6 +25,7 @@ struct PointSet {
   std::array<std::vector<float>, kMaxLevels> intensity;  ///< grey value at each pyramid level
   std::array<std::vector<float>, kMaxLevels> gu, gv;     ///< gradient there, grey values per pixel of the level
   int levels = 0;
+  DepthBias bias;  ///< that was taken from q
 
   int size() const { return static_cast<int>(u.size()); }
 
@@ -29,6 +33,7 @@ struct PointSet {
     for (std::vector<float>* a : {&u, &v, &x, &y, &q, &sigma_q}) a->clear();
     for (auto* levels_of : {&intensity, &gu, &gv})
       for (auto& a : *levels_of) a.clear();
+    bias = {};
   }
   void push(float u_, float v_, float x_, float y_, float q_, float sigma_q_) {
     u.push_back(u_);
@@ -37,6 +42,19 @@ struct PointSet {
     y.push_back(y_);
     q.push_back(q_);
     sigma_q.push_back(sigma_q_);
+  }
+
+  /// Takes from q what has become known of the bias since. @param width, height of the image. @return whether there
+  /// was.
+  bool take(const DepthBias& known, int width, int height) {
+    const DepthBias learnt{known.coefficients - bias.coefficients};
+    if (learnt.is_zero()) return false;
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      const double s = 2 * static_cast<double>(u[i]) / width - 1, t = 2 * static_cast<double>(v[i]) / height - 1;
+      q[i] = std::max(q[i] - static_cast<float>(learnt(s, t)), kFarthest);
+    }
+    bias = known;
+    return true;
   }
 
   /// Replaces them by every `step`-th of others.
@@ -51,6 +69,7 @@ struct PointSet {
     for (const auto field : {&PointSet::intensity, &PointSet::gu, &PointSet::gv})
       for (std::size_t level = 0; level < kMaxLevels; ++level) take((all.*field)[level], (this->*field)[level]);
     levels = all.levels;
+    bias = all.bias;
   }
 };
 

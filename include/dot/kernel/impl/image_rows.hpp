@@ -52,6 +52,18 @@ void invert_depth(const Value* values, int n, const DepthUnits& units, float* ou
 }
 
 template <typename V>
+void take_bias(const float* q, int n, const RowBias& bias, float* out) {
+  using F = typename V::F;
+  const F zero = V::set(0), t = V::set(bias.t), least = V::set(bias.least);
+  const float* const rows[3] = {q, bias.base, bias.slope};
+  for_runs<V, 3, 1>(rows, n, out, [&](const float* const* at, float* to) {
+    const F measured = V::load(at[0]);
+    const F without = V::sub(measured, V::fma(V::load(at[2]), t, V::load(at[1])));
+    V::store(to, V::keep(V::less(zero, measured), V::max(without, least)));
+  });
+}
+
+template <typename V>
 void halve_depth(const float* upper, const float* lower, int n, float* out) {
   using F = typename V::F;
   const F zero = V::set(0), one = V::set(1), share = V::set(1 - kSameSurface);

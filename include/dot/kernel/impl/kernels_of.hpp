@@ -41,6 +41,7 @@ constexpr Kernels kernels_of(const char* name) {
           strongest_gradients<V>,
           invert_depth<V, unsigned short>,
           invert_depth<V, float>,
+          take_bias<V>,
           halve_depth<V>,
           blur<V>,
           halve<V>};

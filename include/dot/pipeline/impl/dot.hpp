@@ -38,6 +38,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::reset() {
   T_cur_background_ = {};
   background_.clear();
   depth_learning_.forget();
+  bias_learning_.forget();
   discovery_.clear();
   if constexpr (std::is_same_v<Noise, DepthNoise>)
     depth_noise.pixel_scale = depth_noise.common_scale = depth_noise.change_scale = 1;
@@ -101,15 +102,22 @@ void Dot<Camera, Classifier, Noise, Aligner>::build(const Frame& frame) {
     for (TrackT& t : tracks_) t.references.clear(), t.no_reference = Reason::NoReference, t.has_motion = false;
   }
   current_.timestamp = frame.timestamp;
+  current_.bias = bias_learning_.bias();
+  background_.take(current_.bias, camera_.width(), camera_.height());
   const int levels =
       pyramid_levels(frame.image.width, frame.image.height, std::min(options_.align.max_levels, PointSet::kMaxLevels));
   threads.run(2, [&](int, int part) {
     const int width = frame.image.width, height = frame.image.height;
     if (part == 0)
       current_.pyramid.build(width, height, GreyRows(frame.image, grey_rows_), levels, kernels());
-    else
+    else if (current_.bias.is_zero())
       current_.depth.build(width, height, InverseDepthRows(frame.depth, options_.selection.max_depth, kernels()),
                            levels, kernels());
+    else
+      current_.depth.build(
+          width, height,
+          UnbiasedDepthRows(frame.depth, options_.selection.max_depth, current_.bias, depth_rows_, kernels()), levels,
+          kernels());
   });
 }
 
@@ -133,8 +141,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
     c.status = CameraStatus::FromHost;
     c.T_cur_prev = SE3d::from_row_major(frame.camera_motion->T_cur_prev).normalized();
     c.covariance = Eigen::Map<const Matrix6<double>, Eigen::Unaligned>(frame.camera_motion->covariance.data());
-    c.alignment.state = workers_[0].aligner.photometry(AlignProblem<Camera>{background_, current_.pyramid, camera_},
-                                                       c.T_cur_prev * T_cur_background_);
+    const AlignProblem<Camera> problem{background_, current_.pyramid, camera_};
+    c.alignment.state = workers_[0].aligner.photometry(problem, c.T_cur_prev * T_cur_background_);
+    c.alignment.sigma_intensity = workers_[0].aligner.intensity_sigma(problem, c.alignment.state, 0);
   } else if (background_.size() < options_.camera.min_points) {
     c.status = CameraStatus::TooLittleDepth;
   } else {
@@ -162,12 +171,23 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
   }
   c.rate_known = c.known();
   if (c.known()) c.rate = c.T_cur_prev.log() / current_.dt;
-  if constexpr (std::is_same_v<Noise, DepthNoise>) {
-    if (c.known())
-      depth_learning_.learn(camera_, c.T_cur_prev, current_.inverse_depth(), current_.timestamp, depth_noise);
-    else
-      depth_learning_.clear();
+  if constexpr (std::is_same_v<Noise, DepthNoise>) learn_depth();
+}
+
+/// How wrong the depth is, by what the background shows.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::learn_depth() {
+  const CameraState& c = camera_state_;
+  if (!c.known()) {
+    depth_learning_.clear();
+    return;
   }
+  depth_learning_.learn(camera_, c.T_cur_prev, current_.inverse_depth(), current_.timestamp, depth_noise,
+                        current_.bias);
+  const DepthNoiseSettings& s = depth_noise.settings;
+  bias_learning_.prior = s.source == DepthSource::Stereo ? s.stereo_bias_px / depth_noise.focal_baseline : 0;
+  if (background_.size() >= options_.camera.min_points)
+    bias_learning_.learn(background_, current_.pyramid.levels[0], camera_, c.alignment, options_.align, current_.dt);
 }
 
 /// The tracks for which `condition` holds, by id; valid until the next call.
@@ -204,7 +224,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::add_background(Worker& worker) {
   }
   erode<4>(std::as_const(background_mask_).view(), mask_rows_, background_mask_.view());
   if constexpr (std::is_same_v<Noise, DepthNoise>)
-    depth_learning_.remember(camera_, current_.inverse_depth(), background_mask_, current_.timestamp);
+    depth_learning_.remember(camera_, current_.inverse_depth(), background_mask_, current_.timestamp, current_.bias);
   fresh_.clear();
   const SelectionSettings& s = options_.selection;
   select({{0, 0, camera_.width(), camera_.height()},
@@ -220,6 +240,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::add_background(Worker& worker) {
   } else {
     select.sample_intensities(fresh_);
     std::swap(background_, fresh_);
+    background_.bias = current_.bias;
     T_cur_background_ = {};
   }
 }
@@ -240,8 +261,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::add_reference(TrackT& object, Work
   }
   ObjectReference& r = object.references.push_front();
   r.restart(current_.timestamp);
-  const Reason reason =
-      object.visible ? make_reference(selector(current_, worker), object.mask, centre, r) : Reason::Hidden;
+  const Reason reason = object.visible ? make_reference(current_, object.mask, centre, worker, r) : Reason::Hidden;
   if (reason == Reason::None) return;
   object.references.pop_front();
   object.no_reference = reason;
@@ -249,22 +269,20 @@ void Dot<Camera, Classifier, Noise, Aligner>::add_reference(TrackT& object, Work
 
 /// Fills in what a mask shows of an object. @return why that is not enough, None if it is.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-Reason Dot<Camera, Classifier, Noise, Aligner>::make_reference(const Selector<Camera, Noise>& select, const Mask& mask,
-                                                               const Vector3<double>& centre,
+Reason Dot<Camera, Classifier, Noise, Aligner>::make_reference(const Current& frame, const Mask& mask,
+                                                               const Vector3<double>& centre, Worker& worker,
                                                                ObjectReference& r) const {
   if (mask.area < options_.selection.min_object_pixels) return Reason::TooFewPixels;
-  const ObjectPoints found =
-      select_object(select, {mask.x, mask.y, mask.width(), mask.height()}, mask.pixels.view(), mask.area, r.points);
+  const ObjectPoints found = select_object(selector(frame, worker), {mask.x, mask.y, mask.width(), mask.height()},
+                                           mask.pixels.view(), mask.area, r.points);
   // Where a matcher finds nothing, beyond its range or in the dark, what depth there is may be its mistakes.
   if (options_.depth_noise.source != DepthSource::Lidar &&
       found.pixels_with_depth < options_.selection.min_depth_share * mask.area)
     return Reason::TooLittleDepth;
   if (r.points.size() < options_.object.min_points)
     return found.shape_known ? Reason::TooLittleTexture : Reason::TooLittleDepth;
-  double x = 0, y = 0, q = 0;
-  for (std::size_t i = 0; i < r.points.u.size(); ++i) x += r.points.x[i], y += r.points.y[i], q += r.points.q[i];
-  const double n = r.points.size();
-  r.centroid = Vector3<double>(x / n, y / n, 1) / (q / n);
+  r.points.bias = frame.bias;
+  r.centre();
   r.anchor = centre;
   r.area = found.pixels_with_depth;
   return Reason::None;

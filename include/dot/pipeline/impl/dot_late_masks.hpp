@@ -29,6 +29,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::await_masks(const Frame& frame) {
   newest.id = frame.id;
   newest.frame.timestamp = current_.timestamp;  // the next frame needs it as well
   newest.frame.dt = current_.dt;
+  newest.frame.bias = current_.bias;
   std::swap(newest.frame.pyramid, current_.pyramid);
   std::swap(newest.frame.depth, current_.depth);
   newest.camera = camera_state_;
@@ -123,7 +124,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::renew_reference(TrackT& object, co
                                                               const Vector3<double>& centre) {
   ObjectReference r = then.since;
   r.T_obj_cur_ref = T_cur_then(object, then);
-  if (make_reference(selector(then.frame, workers_[0]), mask, centre, r) != Reason::None) return;
+  if (make_reference(then.frame, mask, centre, workers_[0], r) != Reason::None) return;
   RecyclingList<ObjectReference>& all = object.references;
   std::size_t place = 0;
   while (place < all.size() && all[place].timestamp > r.timestamp) ++place;

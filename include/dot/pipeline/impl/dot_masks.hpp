@@ -33,8 +33,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::predict(TrackT& t, Worker& worker)
   t.segmented = false;
   t.observed = nullptr;
   t.outline_is_newest &= c.known();
-  for (ObjectReference& r : t.references)
+  for (ObjectReference& r : t.references) {
     r.advance(c.T_cur_prev, c.covariance, c.alignment.state.gain, c.alignment.state.offset);
+    if (r.points.take(current_.bias, camera_.width(), camera_.height())) r.centre();
+  }
   t.T_o_predicted = SE3d::translation(t.expected_velocity() * current_.dt);
   t.position_before = t.position;
   t.position = c.T_cur_prev * t.T_o_predicted * t.position;

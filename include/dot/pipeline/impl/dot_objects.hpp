@@ -146,7 +146,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object, Worker& 
   const AlignState& change = camera_state_.alignment.state;
   ObjectReference& r = worker.here;
   r.restart(current_.timestamp);
-  if (make_reference(selector(current_, worker), *object.observed, object.observed_centre, r) != Reason::None) return;
+  if (make_reference(current_, *object.observed, object.observed_centre, worker, r) != Reason::None) return;
   r.advance(T_prev_cur, T_prev_cur.adjoint() * camera_state_.covariance * T_prev_cur.adjoint().transpose(),
             1 / change.gain, -change.offset / change.gain);
   const ObjectScene<Camera> scene{before().pyramid, camera_, before().depth, {}};

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dot/abi.hpp"
+
+#include <Eigen/Core>
+
+DOT_BEGIN_NAMESPACE
+
+/// Error of the measured *inverse depth* that depends on the place in the image alone, as that of a stereo pair whose
+/// calibration is a little off (an error of the disparity d is one of q = d / (f b)): a polynomial
+///
+///     b(s, t) = c0 + c1 s + c2 s^2 + c3 s^3 + c4 s^4 + (c5 + c6 s) t,   s = 2u/width - 1, t = 2v/height - 1.
+struct DepthBias {
+  static constexpr int kTerms = 7;
+  using Terms = Eigen::Matrix<double, kTerms, 1>;
+
+  Terms coefficients = Terms::Zero();  ///< 1/m
+
+  bool is_zero() const { return coefficients.isZero(0); }
+
+  /// The terms at (s, t).
+  static Terms terms(double s, double t) {
+    Terms phi;
+    phi << 1, s, s * s, s * s * s, s * s * s * s, t, s * t;
+    return phi;
+  }
+  /// 1/m, at (s, t).
+  double operator()(double s, double t) const { return coefficients.dot(terms(s, t)); }
+};
+
+DOT_END_NAMESPACE

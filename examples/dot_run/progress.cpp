@@ -53,6 +53,7 @@ void Summary::add(const dot::Result& result, double total_ms) {
   total_ms_.push_back(total_ms);
   if (result.camera.status == dot::CameraStatus::Lost || result.camera.status == dot::CameraStatus::TooLittleDepth)
     ++camera_lost_;
+  disparity_bias_px_ = result.disparity_bias_px;
   for (const dot::ObjectResult& object : result.objects)
     if (object.area > 0) last_decided_[object.id] = object.last_decided;
 }
@@ -70,6 +71,9 @@ void Summary::print(const OutputOptions& output) const {
   if (camera_lost_ > 0) std::printf(", camera motion not found in %d", camera_lost_);
   std::printf("\nobjects   %zu: %ld moving, %ld static, %ld never decided (as last decided)\n", last_decided_.size(),
               moving, standing, undecided);
+  if (disparity_bias_px_ >= 0.05)
+    std::printf("depth     disparities off by %.2f px (RMS over the image, as learnt); corrected\n",
+                disparity_bias_px_);
   if (total_ms_.size() > 1) {
     // The first frame takes the buffers and has nothing to compare with.
     const std::vector<double> ms(total_ms_.begin() + 1, total_ms_.end());

@@ -32,13 +32,14 @@ class Summary {
  public:
   void add(const dot::Result& result, double total_ms);
 
-  /// Prints frames, objects by state, times and where the outputs lie.
+  /// Prints frames, objects by state, what was wrong with the depth, times and where the outputs lie.
   void print(const OutputOptions& output) const;
 
  private:
   std::map<std::uint32_t, dot::State> last_decided_;  ///< of each object that was ever shown
   std::vector<double> total_ms_;
   int camera_lost_ = 0;
+  double disparity_bias_px_ = 0;  ///< in the last frame
 };
 
 }  // namespace runner

@@ -159,6 +159,12 @@ double camera_error(double prior_px) {
   double worst = 0;
   for (int i = 0; i < 14; ++i) {
     const dot::Result& result = film.next(tracker);
+    if (prior_px > 0 && i == 13) {
+      EXPECT_NEAR(result.disparity_bias_px, lenses().rms() / pixel, 0.1);
+    }
+    if (!(prior_px > 0)) {
+      EXPECT_EQ(result.disparity_bias_px, 0);
+    }
     if (i >= 8) worst = std::max(worst, (SE3d::from_row_major(result.camera.T_cur_prev).t - film.T_c().t).norm());
   }
   return worst;

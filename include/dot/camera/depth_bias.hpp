@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dot/abi.hpp"
+#include <cmath>
 
 #include <Eigen/Core>
+
+#include "dot/abi.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -25,6 +27,17 @@ struct DepthBias {
     Terms phi;
     phi << 1, s, s * s, s * s * s, s * s * s * s, t, s * t;
     return phi;
+  }
+  /// Root of its mean square over the image, 1/m.
+  double rms() const {
+    constexpr int n = 16;
+    double sum = 0;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        const double b = (*this)((2 * i + 1.0) / n - 1, (2 * j + 1.0) / n - 1);
+        sum += b * b;
+      }
+    return std::sqrt(sum) / n;
   }
   /// 1/m, at (s, t).
   double operator()(double s, double t) const { return coefficients.dot(terms(s, t)); }

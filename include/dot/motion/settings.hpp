@@ -47,7 +47,7 @@ struct VelocitySettings {
   double photometric_scale = 3;   ///< inflation of Sigma_x: neighbouring residuals are correlated
   double camera_scale = 4;        ///< inflation of the camera's covariance
   double floor = 0.04;            ///< m/s per axis, never more certain
-  double decide = 0.95;           ///< probability at which a state is won
+  double decide = 0.90;           ///< probability at which a state is won
   double keep = 0.80;             ///< probability down to which it is kept
   double switch_rate = 0.04;      ///< 1/s: how often things start or stop moving
   double prior_speed = 6;         ///< m/s per axis: how fast movers are, far from v0

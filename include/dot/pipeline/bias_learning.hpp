@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -58,8 +57,8 @@ class DepthBiasLearning {
     information_ *= keep;
     weighted_ *= keep;
     if (!(prior > 0)) return;
-    Normal H = Normal::Zero();
-    Row g = Row::Zero();
+    Sums sums = Sums::Zero();
+    const double to_s = 2.0 / image.width(), to_t = 2.0 / image.height();
     const Matrix3<float> R = a.state.T.R.template cast<float>();
     const Vector3<float> t = a.state.T.t.template cast<float>();
     const float u_max = static_cast<float>(image.width() - 3), v_max = static_cast<float>(image.height() - 3);
@@ -81,33 +80,33 @@ class DepthBiasLearning {
       if (fits <= 0) continue;
       Row J;
       J << static_cast<double>(q) * dr_dX, X.template cast<double>().cross(dr_dX), -intensity, -1,
-          -dr_dq * DepthBias::terms(2.0 * static_cast<double>(points.u[i]) / image.width() - 1,
-                                    2.0 * static_cast<double>(points.v[i]) / image.height() - 1);
-      const double w = sq(fits) / s2;
-      H.template selfadjointView<Eigen::Lower>().rankUpdate(J, w);
-      g += w * r * J;
+          -dr_dq * DepthBias::terms(to_s * static_cast<double>(points.u[i]) - 1,
+                                    to_t * static_cast<double>(points.v[i]) - 1),
+          r;
+      sums.noalias() += (sq(fits) / s2 * J) * J.transpose();
     }
-    H.template triangularView<Eigen::StrictlyUpper>() = H.transpose();
-    add(H, g, points.bias);
+    add(sums, points.bias);
   }
 
  private:
   static constexpr int kPose = 8, kTerms = DepthBias::kTerms;
   using Terms = DepthBias::Terms;
   using Information = Eigen::Matrix<double, kTerms, kTerms>;
-  using Normal = Eigen::Matrix<double, kPose + kTerms, kPose + kTerms>;
-  using Row = Eigen::Matrix<double, kPose + kTerms, 1>;
+  using Sums = Eigen::Matrix<double, kPose + kTerms + 1, kPose + kTerms + 1>;  ///< of [J r]' [J r]
+  using Row = Eigen::Matrix<double, kPose + kTerms + 1, 1>;
   static double sq(double x) { return x * x; }
 
   /// Adds what a frame says of the bias, whatever the pose.
-  void add(const Normal& H, const Row& g, const DepthBias& taken) {
-    Matrix8 pose = H.topLeftCorner<kPose, kPose>();
+  void add(const Sums& sums, const DepthBias& taken) {
+    const Eigen::Matrix<double, kPose, 1> g_pose = sums.col(kPose + kTerms).head<kPose>();
+    const Terms g = sums.col(kPose + kTerms).segment<kTerms>(kPose);
+    Matrix8 pose = sums.topLeftCorner<kPose, kPose>();
     pose.diagonal() += 1e-7 * pose.diagonal() + Vector8::Constant(1e-9);
     const Eigen::LDLT<Matrix8> solver(pose);
-    const Eigen::Matrix<double, kPose, kTerms> mixed = H.topRightCorner<kPose, kTerms>();
+    const Eigen::Matrix<double, kPose, kTerms> mixed = sums.block<kPose, kTerms>(0, kPose);
     const Eigen::Matrix<double, kTerms, kPose> eliminate = solver.solve(mixed).transpose();
-    const Information information = (H.bottomRightCorner<kTerms, kTerms>() - eliminate * mixed) / kCorrelated;
-    const Terms step = (eliminate * g.head<kPose>() - g.tail<kTerms>()) / kCorrelated;
+    const Information information = (sums.block<kTerms, kTerms>(kPose, kPose) - eliminate * mixed) / kCorrelated;
+    const Terms step = (eliminate * g_pose - g) / kCorrelated;
     if (!information.allFinite() || !step.allFinite()) return;
     information_ += information;
     weighted_ += step + information * taken.coefficients;

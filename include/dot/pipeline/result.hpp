@@ -110,6 +110,7 @@ struct Result {
   double timestamp = 0;
   double interval = 0;            ///< seconds since the previous frame, 0 when there is no reference
   bool too_little_depth = false;  ///< the frame gives too few background points to be a reference; older ones serve on
+  double disparity_bias_px = 0;   ///< of stereo: RMS over the image of the bias learnt and taken from the depth
   CameraResult camera;
   ImageView<const std::uint8_t> labels;  ///< State of each pixel
   ImageView<const std::uint32_t> ids;    ///< track id of each pixel, 0 = background

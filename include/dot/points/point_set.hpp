@@ -49,8 +49,9 @@ struct PointSet {
   bool take(const DepthBias& known, int width, int height) {
     const DepthBias learnt{known.coefficients - bias.coefficients};
     if (learnt.is_zero()) return false;
+    const double to_s = 2.0 / width, to_t = 2.0 / height;
     for (std::size_t i = 0; i < q.size(); ++i) {
-      const double s = 2 * static_cast<double>(u[i]) / width - 1, t = 2 * static_cast<double>(v[i]) / height - 1;
+      const double s = to_s * static_cast<double>(u[i]) - 1, t = to_t * static_cast<double>(v[i]) - 1;
       q[i] = std::max(q[i] - static_cast<float>(learnt(s, t)), kFarthest);
     }
     bias = known;

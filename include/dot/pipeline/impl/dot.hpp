@@ -297,6 +297,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame) {
   result_.frame_id = frame.id;
   result_.timestamp = frame.timestamp;
   result_.interval = current_.dt;
+  if constexpr (std::is_same_v<Noise, DepthNoise>)
+    result_.disparity_bias_px = current_.bias.is_zero() ? 0 : current_.bias.rms() * depth_noise.focal_baseline;
   const CameraState& c = camera_state_;
   CameraResult& camera = result_.camera;
   camera = {};

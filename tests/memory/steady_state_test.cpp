@@ -127,6 +127,20 @@ TEST(SteadyState, WithMasksInEveryFrame) {
   }
 }
 
+// What is learnt of the bias is taken from each frame's depth and from all points.
+TEST(SteadyState, WithABiasedDepth) {
+  Film<> film = crossing();
+  film.spoil = [](int, dot::test::Rendering& seen) {
+    for (int y = 0; y < seen.depth.height(); ++y)
+      for (int x = 0; x < seen.depth.width(); ++x)
+        if (float& z = seen.depth(x, y); z > 0) z = 1 / (1 / z + 4e-3f * (static_cast<float>(x) / 32 - 5));
+  };
+  Tracker tracker = make_tracker();
+  allocations(film, tracker, kWarmUp);
+  EXPECT_GT(film.next(tracker).disparity_bias_px, 0.1);
+  EXPECT_EQ(allocations(film, tracker, kPeriod), 0);
+}
+
 // Outlines are carried on and grow, frames are kept for masks that may come; other formats of image, depth and masks.
 TEST(SteadyState, WithMasksInEveryThirdFrame) {
   Film<> film = crossing();

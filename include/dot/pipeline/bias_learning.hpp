@@ -48,8 +48,8 @@ class DepthBiasLearning {
     return out;
   }
 
-  /// @param points of the background. @param a their alignment to
-  /// `image`, level 0. @param dt seconds since the last frame.
+  /// @param points of the background. @param image level 0. @param a their alignment to it.
+  /// @param dt seconds since the last frame.
   template <typename Camera>
   void learn(const PointSet& points, const Image<std::uint8_t>& image, const Camera& camera, const Alignment& a,
              const AlignSettings& settings, double dt) {

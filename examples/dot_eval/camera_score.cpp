@@ -72,6 +72,12 @@ double CameraScore::rpe_trans_median_cm() const { return median(step_cm); }
 double CameraScore::rpe_trans_max_cm() const { return percentile(step_cm, 100); }
 double CameraScore::rpe_rot_deg() const { return root_mean_square(step_deg); }
 double CameraScore::rpe_rot_median_deg() const { return median(step_deg); }
+double CameraScore::nees_per_axis() const { return mean(step_nees); }
+
+double camera_nees(const dot::SE3d& truth, const dot::SE3d& estimate, const dot::Matrix6<double>& covariance) {
+  const dot::Vector6<double> error = (estimate * truth.inverse()).log();
+  return error.dot(covariance.ldlt().solve(error)) / 6;
+}
 
 CameraScore score_camera(const Poses& truth, const Poses& estimate) {
   constexpr double cm_per_m = 100;

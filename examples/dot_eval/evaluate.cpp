@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <exception>
+#include <utility>
 
 #include "dot/lie/se3.hpp"
 #include "dot/tracker.hpp"
@@ -17,21 +18,33 @@ namespace {
 class CameraLog {
  public:
   void add(const std::optional<Eigen::Matrix4d>& truth, const dot::CameraResult& camera) {
-    T_world_camera_ = T_world_camera_ * dot::SE3d::from_row_major(camera.T_cur_prev).inverse();
+    const dot::SE3d T_cur_prev = dot::SE3d::from_row_major(camera.T_cur_prev);
+    T_world_camera_ = T_world_camera_ * T_cur_prev.inverse();
+    const std::optional<Eigen::Matrix4d> before = std::exchange(before_, truth);
     if (!truth) return;
+    if (before && camera.status == dot::CameraStatus::Tracked) {
+      const Eigen::Matrix4d T = truth->inverse() * *before;
+      const dot::SE3d true_motion{T.topLeftCorner<3, 3>(), T.topRightCorner<3, 1>()};
+      nees_.push_back(
+          camera_nees(true_motion, T_cur_prev, Eigen::Map<const dot::Matrix6<double>>(camera.covariance.data())));
+    }
     truth_.push_back(*truth);
     estimate_.push_back(runner::pose_from_row_major(T_world_camera_.row_major().data()));
   }
 
   std::optional<CameraScore> score() const {
     if (truth_.size() < 2) return std::nullopt;
-    return score_camera(truth_, estimate_);
+    CameraScore score = score_camera(truth_, estimate_);
+    score.step_nees = nees_;
+    return score;
   }
 
  private:
   dot::SE3d T_world_camera_;
   Poses truth_;
   Poses estimate_;
+  std::optional<Eigen::Matrix4d> before_;  ///< the true pose of the last frame
+  std::vector<double> nees_;
 };
 
 /// Mean times; the first frame takes the buffers and has nothing to compare with.

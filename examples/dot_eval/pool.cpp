@@ -35,7 +35,7 @@ double near_median(const std::array<Band, band_count>& bands, std::vector<double
 Pooled pool(const std::vector<RunScore>& runs, int every, int first_rate) {
   Pooled p;
   p.every = every;
-  std::vector<double> ious, ratios, instance_ious, speed, sigma, motion, rpe_median, rpe, rpe_max, rot, ate, ms;
+  std::vector<double> ious, ratios, instance_ious, speed, sigma, motion, rpe_median, rpe, rpe_max, rot, ate, nees, ms;
   for (const RunScore& run : runs) {
     if (run.every != every) continue;
     ++p.runs;
@@ -54,6 +54,7 @@ Pooled pool(const std::vector<RunScore>& runs, int every, int first_rate) {
       keep(rpe_max, run.camera->rpe_trans_max_cm());
       keep(rot, run.camera->rpe_rot_median_deg());
       keep(ate, run.camera->ate_m);
+      keep(nees, run.camera->nees_per_axis());
     }
     if (!run.objects) continue;
     const ObjectScore& objects = *run.objects;
@@ -88,6 +89,7 @@ Pooled pool(const std::vector<RunScore>& runs, int every, int first_rate) {
   p.rpe_trans_max_cm = largest(rpe_max);
   p.rpe_rot_median_deg = largest(rot);
   p.ate_m = largest(ate);
+  p.camera_nees = median(nees);
   return p;
 }
 

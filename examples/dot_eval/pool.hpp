@@ -34,6 +34,7 @@ struct Pooled {
   double rpe_trans_max_cm = not_a_number;
   double rpe_rot_median_deg = not_a_number;
   double ate_m = not_a_number;
+  double camera_nees = not_a_number;  ///< per axis, median of the runs: recorded poses are seldom true enough
   std::vector<LatencyEvent> latency;
   HiddenScore hidden;
   StageTimes stage_ms{};  ///< means over the runs

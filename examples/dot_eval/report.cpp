@@ -77,7 +77,8 @@ Json camera(const CameraScore& c) {
                             {"rpe_rot_deg", c.rpe_rot_deg()},
                             {"rpe_rot_median_deg", c.rpe_rot_median_deg()},
                             {"drift_percent", c.drift_percent},
-                            {"ate_m", c.ate_m}});
+                            {"ate_m", c.ate_m},
+                            {"nees_per_axis", c.nees_per_axis()}});
   if (c.stretch)
     json.set("stretches", Json::object({{"count", c.stretch->stretches},
                                         {"translation_percent", c.stretch->translation_percent},
@@ -179,6 +180,7 @@ Json pooled_json(const Pooled& p) {
   json.set("rpe_trans_max_cm", p.rpe_trans_max_cm);
   json.set("rpe_rot_median_deg", p.rpe_rot_median_deg);
   json.set("ate_m", p.ate_m);
+  json.set("camera_nees_per_axis", p.camera_nees);
   json.set("by_range_m", bands(p.bands));
   json.set("confusion", confusion_counts(p.confusion));
   json.set("by_true_speed_mps", speeds(p.by_speed));

@@ -113,6 +113,7 @@ std::string pooled_table(const std::vector<Pooled>& pooled) {
   add("  of sigma", "%.3f", [](auto& p) { return p.sigma_coverage; });
   add("  of T_o", "%.3f", [](auto& p) { return p.motion_coverage; });
   add("camera: ATE, worst sequence, m", "%.3f", [](auto& p) { return p.ate_m; });
+  add("  NEES per axis, median", "%.3f", [](auto& p) { return p.camera_nees; });
   add("decision latency, median, s", "%.2f", [](auto& p) { return median_latency(p.latency); });
   add("  events", "%.0f", [](auto& p) { return static_cast<double>(p.latency.size()); });
   if (std::any_of(pooled.begin(), pooled.end(), [](auto& p) { return p.hidden.standing > 0; })) {

@@ -76,6 +76,20 @@ TEST(CameraScore, StepErrors) {
   EXPECT_NEAR(score.ate_m, std::sqrt((2 * 0.0125 * 0.0125 + 0.0025 * 0.0025 + 0.0275 * 0.0275) / 4), 1e-9);
 }
 
+// Errors of two sigmas along each of the six axes, in the axes of the new camera; sigmas of 1 cm and .001.
+TEST(CameraScore, NormalisesAnErrorByItsCovariance) {
+  using dot::SE3d;
+  dot::Vector6<double> sigma, error;
+  sigma << 0.01, 0.01, 0.01, 0.001, 0.001, 0.001;
+  error << 2, -2, 2, -2, 2, 2;
+  const SE3d truth = SE3d::exp((dot::Vector6<double>() << 0.1, 0, 1, 0, 0.05, 0).finished());
+  const SE3d estimate = SE3d::exp(error.cwiseProduct(sigma)) * truth;
+  const dot::Matrix6<double> covariance = sigma.cwiseAbs2().asDiagonal();
+  EXPECT_NEAR(camera_nees(truth, estimate, covariance), 4, 1e-9);
+  EXPECT_NEAR(camera_nees(truth, truth, covariance), 0, 1e-9);
+  EXPECT_TRUE(std::isnan(CameraScore{}.nees_per_axis()));
+}
+
 TEST(CameraScore, AlignmentIsARotationNotAMirror) {
   const Poses truth{at(0, 0, 0), at(1, 0, 0), at(0, 2, 0), at(0, 0, 3)};
   const Poses mirrored{at(0, 0, 0), at(-1, 0, 0), at(0, 2, 0), at(0, 0, 3)};

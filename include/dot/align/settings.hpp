@@ -31,6 +31,7 @@ struct CameraSettings {
   double search_speed = 45;       ///< m/s: reach of the starts while the speed is unknown
   double search_turn = 1.2;       ///< rad/s: likewise of the turns, up to 0.2 rad
   double restart_shift = 0.8;     ///< metres: reach of the shifted starts along the least determined direction
+  double covariance_scale = 4;    ///< of the covariance over Sigma_x: residuals of neighbouring points are correlated
 };
 
 }  // namespace dot

@@ -325,8 +325,8 @@ struct ObjectMotionEstimator {
     add(a.depth_modes[1], 0.06 * common * common);
     add(a.depth_modes[2], 0.06 * common * common);
     add(a.depth_modes[3], change * change);
-    return V + velocity.camera_scale * camera_share(reference.camera_covariance, reference.T_cur_ref,
-                                                    Vector3<double>(reference.T_cur_ref * moved));
+    return V +
+           camera_share(reference.camera_covariance, reference.T_cur_ref, Vector3<double>(reference.T_cur_ref * moved));
   }
 
   Reason check(const ObjectReference& reference, const Alignment& a, const ObjectFit& out,

@@ -57,6 +57,7 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(camera.search_turn);
   DOT_OPTION(camera.restart_margin);
   DOT_OPTION(camera.restart_shift);
+  DOT_OPTION(camera.covariance_scale);
   DOT_OPTION(depth_noise.stereo_sigma_px);
   DOT_OPTION(depth_noise.stereo_common_px);
   DOT_OPTION(depth_noise.stereo_bias_px);
@@ -88,7 +89,6 @@ void for_each_option(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(velocity.v0);
   DOT_OPTION(velocity.v0_per_metre);
   DOT_OPTION(velocity.photometric_scale);
-  DOT_OPTION(velocity.camera_scale);
   DOT_OPTION(velocity.floor);
   DOT_OPTION(velocity.decide);
   DOT_OPTION(velocity.keep);

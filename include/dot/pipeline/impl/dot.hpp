@@ -166,7 +166,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
     c.status = ok ? CameraStatus::Tracked : CameraStatus::Lost;
     if (ok) {
       c.T_cur_prev = a.state.T * T_prev_background.inverse();
-      c.covariance = a.covariance.template topLeftCorner<6, 6>();
+      c.covariance = s.covariance_scale * a.covariance.template topLeftCorner<6, 6>();
     }
   }
   c.rate_known = c.known();

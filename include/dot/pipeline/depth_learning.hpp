@@ -107,8 +107,8 @@ struct DepthLearning {
           }
         if (p.q.size() - begin >= kMinSamples) {
           p.begin.push_back(static_cast<int>(begin));
-          p.place.push_back(DepthBias::terms(2.0 * (x0 + kWidth / 2) / inverse_depth.width() - 1,
-                                             2.0 * (y0 + kHeight / 2) / inverse_depth.height() - 1));
+          p.place.push_back(DepthBias::terms((2.0 * x0 + kWidth) / inverse_depth.width() - 1,
+                                             (2.0 * y0 + kHeight) / inverse_depth.height() - 1));
         } else {
           p.x.resize(begin), p.y.resize(begin), p.q.resize(begin);
         }

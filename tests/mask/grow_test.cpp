@@ -4,52 +4,26 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "dot/camera/pinhole.hpp"
+#include "support/box_scene.hpp"
 
 namespace {
 
+using box_scene::back;
+using box_scene::Box;
+using box_scene::kFar;
+using box_scene::kHeight;
+using box_scene::kId;
+using box_scene::kNear;
+using box_scene::kObject;
+using box_scene::kOther;
+using box_scene::kWidth;
+using box_scene::render;
 using dot::Image;
 using dot::SE3d;
-
-constexpr int kWidth = 80, kHeight = 60;
-constexpr std::uint32_t kId = 5, kOther = 7;
-constexpr float kNear = 0.5f, kObject = 0.2f, kFar = 0.05f;  // 1/m
-const dot::Intrinsics kIntrinsics{100, 100, 40, 30, kWidth, kHeight, 0};
-
-/// Columns [x0, x1) and rows [y0, y1) of one inverse depth; may reach out of the image.
-struct Box {
-  int x0, x1, y0, y1;
-  float q;
-  std::uint32_t id;
-};
-
-/// Boxes before a wall, later ones over earlier ones.
-dot::SegmentedFrame render(const std::vector<Box>& boxes) {
-  dot::SegmentedFrame out;
-  out.inverse_depth.resize(kWidth, kHeight);
-  out.inverse_depth.fill(kFar);
-  out.ids.resize(kWidth, kHeight);
-  out.ids.fill(0);
-  for (const Box& box : boxes)
-    for (int y = box.y0; y < box.y1; ++y)
-      for (int x = box.x0; x < box.x1; ++x) {
-        if (!out.ids.contains(x, y)) continue;
-        out.inverse_depth(x, y) = box.q;
-        out.ids(x, y) = box.id;
-      }
-  return out;
-}
-
-/// Motion to the segmented frame of what, at the object's depth, has come `pixels` to the right since.
-SE3d back(int pixels) {
-  SE3d T;
-  T.t.x() = -pixels / (100.0 * kObject);
-  return T;
-}
 
 struct Grown {
   int gained;
@@ -63,7 +37,7 @@ Grown grow(const dot::SegmentedFrame& segmented, const dot::SegmentedFrame& curr
   dot::GrowWorkspace workspace;
   Grown out{0, current.ids, box};
   out.gained = dot::grow(
-      segmented, T_object, T_static, dot::Pinhole(kIntrinsics), current.inverse_depth.view(), kId,
+      segmented, T_object, T_static, dot::Pinhole(box_scene::kIntrinsics), current.inverse_depth.view(), kId,
       [](double) { return 0.1; }, workspace, out.ids, out.box);
   return out;
 }

@@ -362,6 +362,33 @@ TEST(Occlusion, WhatPassesBehindSomethingKeepsIdAndState) {
   EXPECT_GT(came_out, 8);
 }
 
+// Something nearer overtakes it and hides its front, and the background ahead of it, when masks are seen last. What
+// earlier masks showed of the front comes out with the right outline.
+TEST(Occlusion, WhatComesOutBetweenMasksIsShown) {
+  constexpr std::uint32_t near = 9;
+  constexpr int masked = 14, out = 16;
+  Film<> film;
+  film.add(mover, straight({-3.4, 1.3, 8.5}, {3, 0, 0}));
+  film.add(near, straight({-4.2, 0.7, 4.6}, {4, 0, 0}));
+  film.edit = [](int i, Frame& frame) {
+    if (i > masked) frame.masks.reset();
+  };
+  Tracker tracker = make_tracker();
+  int area_masked = 0;
+  for (int i = 0; i <= out; ++i) {
+    const Result& result = film.next(tracker);
+    if (i < masked) continue;
+    const ObjectResult* o = object_on(result, film.truth().ids, mover);
+    ASSERT_TRUE(o) << i;
+    EXPECT_EQ(o->state, State::Moving) << i << ' ' << describe(o);
+    const Overlap seen = overlap(film.truth().ids, mover, result.ids, o->id);
+    if (i == masked) area_masked = seen.truth;
+    if (i < out) continue;
+    EXPECT_GT(seen.truth, 1.7 * area_masked);
+    EXPECT_GT(seen.iou(), 0.9);
+  }
+}
+
 // Where it must be there is something nearer, in which a tenth of the pixels was not measured: neither shows it.
 TEST(Occlusion, ShowsNothingOfAMoverInTheHolesOfWhatHidesIt) {
   Film<> film;

@@ -15,6 +15,7 @@
 #include "dot/kernel/portable_kernels.hpp"
 #include "dot/mask/association.hpp"
 #include "dot/mask/grow.hpp"
+#include "dot/mask/hidden.hpp"
 #include "dot/motion/classifier.hpp"
 #include "dot/pipeline/bias_learning.hpp"
 #include "dot/pipeline/camera_motion.hpp"
@@ -141,6 +142,8 @@ class Dot {
     std::vector<SE3d> starts;
     ObjectReference here;  ///< the object that `look_back` looks at
     WarpWorkspace warp;
+    WarpedMask moved;  ///< not trimmed
+    HiddenPart hidden;
     TemplateWorkspace outline;
     SelectionWorkspace selection;
   };
@@ -185,9 +188,11 @@ class Dot {
   void decide(TrackT& object, const Matrix3<double>& R_cur_fit, double dt);
   void place_masks();
   void place(TrackT& object, Worker& worker);
+  void keep_hidden(TrackT& object, const Image<float>& inverse_depth, Worker& worker);
   void take_outline(TrackT& object, const Image<float>& inverse_depth, Worker& worker);
   std::vector<TrackT*>& far_to_near();
   void paint(const std::vector<TrackT*>& order, Image<std::uint32_t>& ids) const;
+  void show_new_parts(const TrackT& object, std::array<int, 4>& box);
   void label();
   double depth_tolerance(double q) const;
   /// Those of the aligner, so that one choice holds for all; without, the portable ones.

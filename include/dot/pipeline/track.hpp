@@ -27,6 +27,7 @@ struct Track {
 
   // Its outline: the last mask that a network gave, and where that is now.
   MaskTemplate outline;
+  MaskTemplate hidden;               ///< what something nearer hid of it then
   SE3d T_cur_outline;                ///< composed motion of the object's points since then
   bool outline_is_newest = false;    ///< it is of the last frame that was segmented
   WarpedMask predicted;              ///< in this frame, by the predicted or the fitted motion
@@ -68,6 +69,7 @@ struct Track {
   /// Makes it a new object, in the memory of the one it was.
   void restart(std::uint32_t new_id) {
     outline.clear();
+    hidden.clear();
     predicted.clear();
     mask.clear();
     references.clear();
@@ -75,6 +77,7 @@ struct Track {
     Track fresh;
     fresh.id = new_id;
     std::swap(fresh.outline, outline);
+    std::swap(fresh.hidden, hidden);
     std::swap(fresh.predicted, predicted);
     std::swap(fresh.mask, mask);
     std::swap(fresh.references, references);

@@ -53,7 +53,7 @@ const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame)
   ResetUnlessDone attempt{*this};
   clock_ = std::chrono::steady_clock::now();
   while (workers_.size() < static_cast<std::size_t>(std::max(1, threads.count)))
-    workers_.push_back({aligner, {}, {}, {}, {}, {}, {}});
+    workers_.push_back({aligner, {}, {}, {}, {}, {}, {}, {}, {}});
 
   build(frame);  // pyramid, inverse depth
   take_time(Stage::Image);

@@ -57,7 +57,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
     const SE3d T_then_cur = T_cur_then(t, then).inverse();
     t.observed = nullptr;
     t.position = T_then_cur * t.position;
-    warp_outline(t, T_then_cur * t.T_cur_outline, then.frame.inverse_depth(), workers_[0]);
+    t.T_cur_outline = T_then_cur * t.T_cur_outline;
+    warp_outline(t, t.T_cur_outline, then.frame.inverse_depth(), workers_[0]);
   }
   observed_.clear();
   read_masks(masks, then.frame.inverse_depth());
@@ -100,6 +101,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::adopt(TrackT& object, const Past& 
     object.outline_is_newest = false;
     if (object.visible && !object.discovered) object.contradicted = true;
     object.position = T * object.position;
+    object.T_cur_outline = T * object.T_cur_outline;
     return;
   }
   take_outline(object, then.frame.inverse_depth(), workers_[0]);

@@ -209,11 +209,26 @@ void Dot<Camera, Classifier, Noise, Aligner>::place(TrackT& t, Worker& worker) {
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::take_outline(TrackT& object, const Image<float>& inverse_depth,
                                                            Worker& worker) {
+  keep_hidden(object, inverse_depth, worker);
   const double q = object.outline.median > 0 ? object.outline.median : 1 / options_.selection.max_depth;
   if (!make_template(*object.observed, inverse_depth.view(), options_.mask.depth_tolerance, worker.outline,
                      object.outline))
     make_flat_template(*object.observed, q, object.outline);
   object.contradicted = false;
+}
+
+/// Remembers what of the outline is behind something now that a mask shows the rest: to know it when it comes out.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::keep_hidden(TrackT& object, const Image<float>& inverse_depth,
+                                                          Worker& worker) {
+  worker.hidden.clear();
+  for (const MaskTemplate* part : {&object.outline, &object.hidden}) {
+    if (!part->measured) continue;
+    if (part == &object.outline && object.predicted.hidden_area < options_.mask.min_pixels) continue;
+    warp(*part, object.T_cur_outline, camera_, {}, 0, worker.warp, worker.moved);
+    worker.hidden.add(worker.moved, inverse_depth.view(), options_.mask.depth_tolerance, *object.observed);
+  }
+  worker.hidden.make_template(object.hidden);
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -265,6 +280,23 @@ void Dot<Camera, Classifier, Noise, Aligner>::paint(const std::vector<TrackT*>& 
   for (const TrackT* t : order) t->mask.write(t->id, ids);
 }
 
+/// Adds to an object's pixels what the last segmentation could not see of it.
+/// @param box x, y, width, height of its pixels; grows with them
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::show_new_parts(const TrackT& object, std::array<int, 4>& box) {
+  const SE3d T_seg_object = object.T_cur_outline.inverse(), T_seg_static = T_cur_segmented_.inverse();
+  const ImageView<const float> inverse_depth = current_.inverse_depth().view();
+  const auto tolerance = [this](double q) { return depth_tolerance(q); };
+  if (!object.hidden.mask.empty()) {
+    WarpedMask& expected = workers_[0].moved;
+    warp(object.hidden, object.T_cur_outline, camera_, {}, 0, workers_[0].warp, expected);
+    reveal(expected, segmented_frame_, T_seg_object, T_seg_static, camera_, inverse_depth, object.id, tolerance, ids_,
+           box);
+  }
+  grow(segmented_frame_, T_seg_object, T_seg_static, camera_, inverse_depth, object.id, tolerance, grow_workspace_,
+       ids_, box);
+}
+
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::label() {
   if (std::exchange(segmented_before_, segmented_)) {
@@ -283,10 +315,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label() {
     TrackT& t = **i;
     std::array<int, 4> box = t.mask.box();
     if (!t.observed && t.outline_is_newest && (t.fit.ok() || t.goes_on_surely(current_.timestamp)))
-      grow(
-          segmented_frame_, t.T_cur_outline.inverse(), T_cur_segmented_.inverse(), camera_,
-          current_.inverse_depth().view(), t.id, [this](double q) { return depth_tolerance(q); }, grow_workspace_, ids_,
-          box);
+      show_new_parts(t, box);
     crop_ids<std::uint32_t>(ids_.view(), t.id, box, t.mask);
     t.visible = !t.mask.empty();
     if (!t.visible && t.fit.ok()) t.fit.reason = Reason::Hidden;

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dot/camera/intrinsics.hpp"
+#include "dot/lie/se3.hpp"
+#include "dot/mask/grow.hpp"
+
+/// Boxes before a wall, seen by one camera: what a segmented frame and a later one look like.
+namespace box_scene {
+
+inline constexpr int kWidth = 80, kHeight = 60;
+inline constexpr std::uint32_t kId = 5, kOther = 7;
+inline constexpr float kNear = 0.5f, kObject = 0.2f, kFar = 0.05f;  // 1/m
+inline const dot::Intrinsics kIntrinsics{100, 100, 40, 30, kWidth, kHeight, 0};
+
+/// Columns [x0, x1) and rows [y0, y1) of one inverse depth; may reach out of the image.
+struct Box {
+  int x0, x1, y0, y1;
+  float q;
+  std::uint32_t id;
+};
+
+/// Boxes before a wall, later ones over earlier ones.
+inline dot::SegmentedFrame render(const std::vector<Box>& boxes) {
+  dot::SegmentedFrame out;
+  out.inverse_depth.resize(kWidth, kHeight);
+  out.inverse_depth.fill(kFar);
+  out.ids.resize(kWidth, kHeight);
+  out.ids.fill(0);
+  for (const Box& box : boxes)
+    for (int y = box.y0; y < box.y1; ++y)
+      for (int x = box.x0; x < box.x1; ++x) {
+        if (!out.ids.contains(x, y)) continue;
+        out.inverse_depth(x, y) = box.q;
+        out.ids(x, y) = box.id;
+      }
+  return out;
+}
+
+/// Motion to the segmented frame of what, at the object's depth, has come `pixels` to the right since.
+inline dot::SE3d back(int pixels) {
+  dot::SE3d T;
+  T.t.x() = -pixels / (100.0 * kObject);
+  return T;
+}
+
+}  // namespace box_scene

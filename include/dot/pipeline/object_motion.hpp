@@ -124,8 +124,15 @@ struct ObjectMotionEstimator {
     return out;
   }
 
+  /// Variance per axis of what the velocity over the last `dt` may differ from that over the whole `span` before: it
+  /// may have changed since the middle of it, of traffic mostly by a third of `velocity.acceleration`.
+  double variance_of_change(double span, double dt) const {
+    const double changed = 0.5 * (0.3 * velocity.acceleration) * (span - dt);
+    return changed * changed;
+  }
+
   /// The share of the last frame interval, at constant velocity, of a fit to an older reference, in the axes of the
-  /// previous camera. The velocity may have changed since the middle of the time that the fit spans.
+  /// previous camera.
   /// @param T_prev_ref camera motion from the reference to the previous frame; @param dt seconds since that frame.
   ObjectFit over_last_interval(const ObjectFit& fit, const SE3d& T_prev_ref, double dt) const {
     const double span = fit.motion.interval, share = dt / span;
@@ -136,9 +143,9 @@ struct ObjectMotionEstimator {
     Matrix6<double> turn = Matrix6<double>::Zero();
     turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = share * R;
     out.sigma = turn * fit.sigma * turn.transpose();
-    const double changed = 0.25 * velocity.acceleration * (span - dt);
     out.motion.velocity = R * fit.motion.velocity;
-    out.motion.covariance = R * fit.motion.covariance * R.transpose() + Matrix3<double>::Identity() * changed * changed;
+    out.motion.covariance =
+        R * fit.motion.covariance * R.transpose() + Matrix3<double>::Identity() * variance_of_change(span, dt);
     return out;
   }
 

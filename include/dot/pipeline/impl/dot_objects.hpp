@@ -92,15 +92,17 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object, Worker& wor
     return object_estimator.fit(reference, scene, worker.starts, known_velocity(object, reference), age, noise,
                                 worker.aligner, worker.minima);
   };
-  const auto decide_by = [&](const ObjectReference& reference, const ObjectFit& fit) {
-    const MotionEstimate& motion = fit.motion;
-    if (fit.phi < options_.object.min_phi) return;
-    if (object.has_decisive && motion.covariance.trace() >= object.decisive.covariance.trace()) return;
+  // An older frame tells more of what stands or moves steadily, but of what just started only how it moved on average.
+  double best = 0;
+  const auto decide_by = [&](const ObjectReference& reference, const ObjectFit& fit, const ObjectFit& now) {
+    const double variance = now.motion.covariance.trace();
+    if (fit.phi < options_.object.min_phi || (object.has_decisive && variance >= best)) return;
     const Matrix3<double> R_prev_ref = T_c.R.transpose() * reference.T_cur_ref.R;
-    object.decisive = motion;
-    object.decisive.velocity = R_prev_ref * motion.velocity;
-    object.decisive.covariance = R_prev_ref * motion.covariance * R_prev_ref.transpose();
+    object.decisive = fit.motion;
+    object.decisive.velocity = R_prev_ref * fit.motion.velocity;
+    object.decisive.covariance = R_prev_ref * fit.motion.covariance * R_prev_ref.transpose();
     object.has_decisive = true;
+    best = variance;
   };
 
   // The newest reference that fits; the reason where there is none is that of the newest of all.
@@ -110,10 +112,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object, Worker& wor
     const ObjectFit fit = fit_to(reference);
     if (i == 0) object.fit = fit;
     if (!fit.ok()) continue;
-    decide_by(reference, fit);
     if (reference.intervals > 1) object.path.forget_after(reference.timestamp);
     object.T_o = T_c.inverse() * reference.T_cur_ref * fit.T_o * reference.T_obj_cur_ref.inverse();
     object.fit = object_estimator.over_last_interval(fit, T_c.inverse() * reference.T_cur_ref, current_.dt);
+    decide_by(reference, fit, object.fit);
   }
 
   // Up to three older references, the oldest first.
@@ -124,15 +126,18 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object, Worker& wor
     if (k <= 0 || k == last) break;
     last = k;
     const ObjectReference& older = object.references[static_cast<std::size_t>(k)];
+    const double age = current_.timestamp - older.timestamp;
+    const double floor = options_.velocity.floor;
+    const double least = 3 * (object_estimator.variance_of_change(age, current_.dt) + floor * floor);
+    if (object.has_decisive && least >= best) continue;  // it cannot tell more
     const SE3d start = older.T_cur_ref.inverse() * T_c * object.T_o * older.T_obj_cur_ref;
     worker.starts.assign(1, start);
-    const ObjectFit long_fit =
-        object_estimator.fit(older, scene, worker.starts, known_velocity(object, older),
-                             current_.timestamp - older.timestamp, noise, worker.aligner, worker.minima);
+    const ObjectFit long_fit = object_estimator.fit(older, scene, worker.starts, known_velocity(object, older), age,
+                                                    noise, worker.aligner, worker.minima);
     if (!long_fit.ok()) continue;
-    decide_by(older, long_fit);
     const ObjectFit shared =
         object_estimator.over_last_interval(long_fit, T_c.inverse() * older.T_cur_ref, current_.dt);
+    decide_by(older, long_fit, shared);
     if (object.fit.ok() && shared.motion.covariance.trace() < object.fit.motion.covariance.trace()) object.fit = shared;
   }
 }

@@ -48,6 +48,21 @@ TEST(KnownVelocity, EachDirectionHasItsOwnError) {
   EXPECT_TRUE(known.contradicts(fit({7, 0, 12}, {0.05, 0.05, 5}), 10));
 }
 
+// The mean of two Gaussians is (V^-1 + P^-1)^-1 (V^-1 v_fit + P^-1 v): a fit that is sure stays, one that knows nothing
+// becomes what was known, each direction for itself.
+TEST(KnownVelocity, CorrectsByTheWeightedMean) {
+  Matrix3<double> P;
+  P << 0.5, 0.1, 0, 0.1, 0.3, -0.1, 0, -0.1, 0.8;
+  const KnownVelocity known{{9, 0.5, -2}, P, 0.1};
+  const MotionEstimate poor = fit({6, 0, 3}, {0.4, 0.2, 5});
+  const Matrix3<double> V = poor.covariance;
+  const Vector3<double> mean =
+      (V.inverse() + P.inverse()).inverse() * (V.inverse() * poor.velocity + P.inverse() * known.velocity);
+  EXPECT_LT((poor.velocity + known.correction(poor) - mean).norm(), 1e-12);
+  EXPECT_LT(known.correction(fit({6, 0, 3}, {1e-4, 1e-4, 1e-4})).norm(), 1e-6);
+  EXPECT_LT((known.correction(fit({6, 0, 3}, {1e4, 1e4, 1e4})) - Vector3<double>(3, 0.5, -5)).norm(), 1e-6);
+}
+
 TEST(VelocityTrust, NeedsFitsThatAgreeAndEndsWithRefusals) {
   dot::VelocityTrust trust;
   EXPECT_FALSE(trust.known());

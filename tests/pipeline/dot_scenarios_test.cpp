@@ -389,6 +389,34 @@ TEST(Occlusion, WhatComesOutBetweenMasksIsShown) {
   }
 }
 
+// It goes behind a post; when masks are seen last its front is behind it already. Behind the post is what the last mask
+// showed when its front comes out on the other side.
+TEST(Occlusion, WhatComesOutWhileTheRestIsHiddenIsShown) {
+  constexpr std::uint32_t post = 9;
+  constexpr int masked = 8, out = 13, all_out = 16;
+  Film<> film;
+  film.degradation.noise = 4;
+  film.degradation.depth_noise = 0.001;
+  film.add(mover, straight({-3.4, 1.3, 8.5}, {3, 0, 0}));
+  film.add(post, straight({0, 0.7, 4.6}));
+  film.direct = [](int, Scene& scene) {
+    for (Body& body : scene.bodies)
+      if (body.id == post) body.quads = box(post, {0.6, 1.3, 0.3}, 4000, 0.15, 1.2).quads;
+  };
+  film.edit = [](int i, Frame& frame) {
+    if (i > masked) frame.masks.reset();
+  };
+  Tracker tracker = make_tracker();
+  for (int i = 0; i <= all_out; ++i) {
+    const Result& result = film.next(tracker);
+    if (i < out) continue;
+    const ObjectResult* o = object_on(result, film.truth().ids, mover);
+    ASSERT_TRUE(o) << i;
+    EXPECT_EQ(o->state, State::Moving) << i << ' ' << describe(o);
+    EXPECT_GT(overlap(film.truth().ids, mover, result.ids, o->id).iou(), 0.85) << i << ' ' << describe(o);
+  }
+}
+
 // Where it must be there is something nearer, in which a tenth of the pixels was not measured: neither shows it.
 TEST(Occlusion, ShowsNothingOfAMoverInTheHolesOfWhatHidesIt) {
   Film<> film;

@@ -23,6 +23,12 @@ struct KnownVelocity {
     const Vector3<double> d = fit.velocity - velocity;
     return d.dot(S.ldlt().solve(d)) > k;
   }
+
+  /// What to add to the velocity of a fit in the same axes to have the mean of both, weighed by their covariances V and
+  /// P: Kalman's update, V (V + P)^-1 (v - v_fit), m/s.
+  Vector3<double> correction(const MotionEstimate& fit) const {
+    return fit.covariance * (fit.covariance + covariance).ldlt().solve(velocity - fit.velocity);
+  }
 };
 
 /// When an object's velocity is known: after fits that agreed, and no longer after as many that did not, lest a wrong

@@ -48,11 +48,11 @@ struct Track {
   Reason no_reference = Reason::NoReference;  ///< why the last frame added none
   ObjectPath path;                            ///< since the frames whose masks may still come
   SE3d T_o_predicted;                         ///< constant velocity, previous camera's axes
-  SE3d T_o;                                   ///< what carries points and outline on: as fitted, else as predicted
-  SE3d T_o_last;                              ///< last accepted, seen from the newest camera: the prediction
-  bool has_motion = false;                    ///< T_o_last is that of the interval before this one
-  ObjectFit fit;                              ///< over the last interval
-  MotionEstimate decisive;                    ///< of the reference that tells most
+  SE3d T_o;                 ///< what carries points and outline: fit and known velocity, else as predicted
+  SE3d T_o_last;            ///< last accepted, seen from the newest camera: the prediction
+  bool has_motion = false;  ///< T_o_last is that of the interval before this one
+  ObjectFit fit;            ///< over the last interval
+  MotionEstimate decisive;  ///< of the reference that tells most
   bool has_decisive = false;
   State state = State::NotObservable;
   State last_decided = State::NotObservable;
@@ -88,6 +88,9 @@ struct Track {
   /// Whether the classifier tells a velocity; some have none after a frame without a fit.
   bool has_velocity() const { return velocity_covariance.trace() > 0; }
 
+  /// Whether `velocity` is known well enough to hold a fit against it.
+  bool knows_velocity() const { return trust.known() && !always_dynamic && has_velocity(); }
+
   /// Whether it moves, and by its velocity alone would now be where it is but for a tenth of its size.
   bool goes_on_surely(double timestamp) const {
     return state == State::Moving && has_velocity() &&
@@ -95,6 +98,9 @@ struct Track {
   }
 
   bool is_shown() const { return visible && !lost && !candidate; }
+
+  /// Whether nothing of it is in view but what an earlier mask showed of it may come out.
+  bool may_come_out() const { return !visible && !hidden.mask.empty() && !lost && !candidate && !contradicted; }
 
   /// m/s, newest camera's axes; zero unless it rather moves than stands.
   Vector3<double> expected_velocity() const {

@@ -197,7 +197,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::place(TrackT& t, Worker& worker) {
   }
   const bool follows = t.discovered ? !t.candidate : !t.contradicted;
   if (t.observed || (follows && t.visible && t.fit.ok())) t.last_seen = current_.timestamp;
-  if (!t.visible) t.fit.reason = t.fit.ok() ? Reason::Hidden : t.fit.reason;
+  if (!t.visible && !t.may_come_out() && t.fit.ok()) t.fit.reason = Reason::Hidden;
   const bool was_shown = !t.discovered || t.confirmed > 0 || stands(t);
   if (t.lost || current_.timestamp - t.last_seen > (was_shown ? options_.mask.keep_seconds : kCandidateSeconds)) {
     t.lost = true;
@@ -260,10 +260,10 @@ double Dot<Camera, Classifier, Noise, Aligner>::depth_tolerance(double q) const 
   return std::min(3 * std::sqrt(2.0) * sigma / q, options_.mask.depth_tolerance);
 }
 
-/// What is shown, far to near, predicted masks below those that the network saw.
+/// What is shown or may come out, far to near, predicted masks below those that the network saw.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 auto Dot<Camera, Classifier, Noise, Aligner>::far_to_near() -> std::vector<TrackT*>& {
-  std::vector<TrackT*>& order = tracks_that([](const TrackT& t) { return t.is_shown(); });
+  std::vector<TrackT*>& order = tracks_that([](const TrackT& t) { return t.is_shown() || t.may_come_out(); });
   const auto rank = [](const TrackT* t) {
     return std::make_tuple(t->observed && !t->discovered, t->inverse_depth(), t->id);
   };
@@ -280,7 +280,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::paint(const std::vector<TrackT*>& 
   for (const TrackT* t : order) t->mask.write(t->id, ids);
 }
 
-/// Adds to an object's pixels what the last segmentation could not see of it.
+/// Adds to an object's pixels what the last segmentation could not see of it: what earlier ones showed, and, where its
+/// motion is known, what none has shown.
 /// @param box x, y, width, height of its pixels; grows with them
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::show_new_parts(const TrackT& object, std::array<int, 4>& box) {
@@ -293,6 +294,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::show_new_parts(const TrackT& objec
     reveal(expected, segmented_frame_, T_seg_object, T_seg_static, camera_, inverse_depth, object.id, tolerance, ids_,
            box);
   }
+  if (!object.fit.ok() && !object.goes_on_surely(current_.timestamp)) return;
   grow(segmented_frame_, T_seg_object, T_seg_static, camera_, inverse_depth, object.id, tolerance, grow_workspace_,
        ids_, box);
 }
@@ -306,16 +308,17 @@ void Dot<Camera, Classifier, Noise, Aligner>::label() {
   labels_.resize(camera_.width(), camera_.height());
   labels_.fill(0);
   const std::vector<TrackT*>& order = far_to_near();
-  for (TrackT* t : order)
+  for (TrackT* t : order) {
+    if (!t->visible) t->mask.clear();
     if (!t->observed && t->state != State::Static && t->predicted.is_mostly_hidden())
       drop_unmeasured(current_.inverse_depth().view(), t->mask);
+  }
   paint(order, ids_);
   // Near to far, so that what is nearer grows first.
   for (auto i = order.rbegin(); i != order.rend(); ++i) {
     TrackT& t = **i;
     std::array<int, 4> box = t.mask.box();
-    if (!t.observed && t.outline_is_newest && (t.fit.ok() || t.goes_on_surely(current_.timestamp)))
-      show_new_parts(t, box);
+    if (!t.observed && t.outline_is_newest) show_new_parts(t, box);
     crop_ids<std::uint32_t>(ids_.view(), t.id, box, t.mask);
     t.visible = !t.mask.empty();
     if (!t.visible && t.fit.ok()) t.fit.reason = Reason::Hidden;

@@ -118,6 +118,12 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object, Worker& wor
     decide_by(reference, fit, object.fit);
   }
 
+  // Fits of what is a few pixels wide or half hidden know less of it than its velocity before.
+  if (object.fit.ok() && object.knows_velocity()) {
+    const KnownVelocity known{object.velocity, object.velocity_covariance, current_.dt};
+    object.T_o = SE3d::translation(known.correction(object.fit.motion) * current_.dt) * object.T_o;
+  }
+
   // Up to three older references, the oldest first.
   const int count = static_cast<int>(object.references.size());
   int last = 0;
@@ -177,7 +183,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object, Worker& 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 KnownVelocity Dot<Camera, Classifier, Noise, Aligner>::known_velocity(const TrackT& object,
                                                                       const ObjectReference& r) const {
-  if (!object.trust.known() || object.always_dynamic || !object.has_velocity()) return {};
+  if (!object.knows_velocity()) return {};
   const Matrix3<double> R_ref_prev = r.T_cur_ref.R.transpose() * camera_state_.T_cur_prev.R;
   return {R_ref_prev * object.velocity, R_ref_prev * object.velocity_covariance * R_ref_prev.transpose(),
           current_.timestamp - std::min(object.trust.last_fit, r.timestamp)};

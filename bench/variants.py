@@ -12,6 +12,8 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
   slow          every other frame
   reverse       the frames from the last to the first
   late          without the first 13 frames
+  skip1, skip2, skip3
+                without the first one, two, three frames: other masks serve where not every frame has one
   flicker       brightness that jumps by up to a quarter and 10 grey values from frame to frame
   noise         noise of 8 grey values
   dark          a quarter of the brightness, noise of 1.5 grey values
@@ -94,7 +96,7 @@ def order(frames, kind):
         return frames[::2]
     if kind == "reverse":
         return frames[::-1]
-    return frames[13:] if kind == "late" else frames
+    return frames[{"late": 13, "skip1": 1, "skip2": 2, "skip3": 3}.get(kind, 0) :]
 
 
 def make(kind, out, sequence):
@@ -140,8 +142,8 @@ def make(kind, out, sequence):
 
 
 def main():
-    kinds = ("half", "third", "mirror", "crop", "slow", "reverse", "late", "flicker", "noise", "dark", "near", "bias")
-    if len(sys.argv) < 4 or sys.argv[1] not in kinds:
+    kinds = "half third mirror crop slow reverse late skip1 skip2 skip3 flicker noise dark near bias"
+    if len(sys.argv) < 4 or sys.argv[1] not in kinds.split():
         sys.exit(__doc__)
     for sequence in sys.argv[3:]:
         make(sys.argv[1], sys.argv[2], sequence)

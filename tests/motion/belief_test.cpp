@@ -157,15 +157,37 @@ TEST(Belief, FilterConvergesAndKnowsHowWell) {
   EXPECT_LT(chi2, 1.3);
 }
 
-TEST(Belief, FilterStartsAnewWhereAFitContradictsIt) {
+TEST(Belief, FilterStartsAnewWhereFitsContradictIt) {
+  Belief belief;
+  const auto see = [&](double vx, int fits) {
+    for (int i = 0; i < fits; ++i) {
+      belief.update(fit({vx, 0, 0}, 0.3), 0.5, settings);
+      belief.predict(0.1, I, settings);
+    }
+  };
+  see(10, 1);
+  see(-5, 1);
+  EXPECT_NEAR(belief.velocity.x(), -5, 0.3) << "one is no better than the other";
+  see(-5, 9);
+  see(10, 2);
+  EXPECT_NEAR(belief.velocity.x(), -5, 0.3) << "ten against two";
+  see(10, 1);
+  EXPECT_NEAR(belief.velocity.x(), 10, 0.3);
+}
+
+// A fit that has locked onto what hides the object, and knows next to nothing, must not cost what is known of it.
+TEST(Belief, AFitThatKnowsLittleDoesNotEndWhatIsKnown) {
   Belief belief;
   for (int i = 0; i < 10; ++i) {
-    belief.update(fit({10, 0, 0}, 0.3), 0.5, settings);
+    belief.update(fit({2, 0, 15}, 1), 0.5, settings);
     belief.predict(0.1, I, settings);
   }
-  EXPECT_NEAR(belief.velocity.x(), 10, 0.2);
-  belief.update(fit({-5, 0, 0}, 0.3), 0.5, settings);
-  EXPECT_NEAR(belief.velocity.x(), -5, 0.3);
+  MotionEstimate wrong = fit({7, 0, -6}, 0, 0.2, 2);
+  wrong.covariance = Vector3<double>(0.5, 0.5, 280).asDiagonal();
+  belief.update(wrong, 0.5, settings);
+  belief.predict(0.1, I, settings);
+  EXPECT_NEAR(belief.velocity.z(), 15, 0.5);
+  EXPECT_LT(belief.covariance(2, 2), 1);
 }
 
 }  // namespace

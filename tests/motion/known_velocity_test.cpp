@@ -63,36 +63,4 @@ TEST(KnownVelocity, CorrectsByTheWeightedMean) {
   EXPECT_LT((known.correction(fit({6, 0, 3}, {1e4, 1e4, 1e4})) - Vector3<double>(3, 0.5, -5)).norm(), 1e-6);
 }
 
-TEST(VelocityTrust, NeedsFitsThatAgreeAndEndsWithRefusals) {
-  dot::VelocityTrust trust;
-  EXPECT_FALSE(trust.known());
-  trust.accept(false, 0.1);
-  trust.accept(true, 0.2);
-  EXPECT_FALSE(trust.known());
-  trust.accept(true, 0.3);
-  EXPECT_TRUE(trust.known());
-  EXPECT_EQ(trust.last_fit, 0.3);
-
-  trust.refuse();
-  trust.refuse();
-  EXPECT_TRUE(trust.known());
-  trust.accept(true, 0.6);
-  trust.refuse();
-  trust.refuse();
-  EXPECT_TRUE(trust.known()) << "refusals count in a row";
-  trust.refuse();
-  EXPECT_FALSE(trust.known()) << "a wrong velocity must not shut out right fits for good";
-  trust.accept(true, 1.0);
-  EXPECT_FALSE(trust.known());
-}
-
-TEST(VelocityTrust, AFitThatDisagreesStartsAgain) {
-  dot::VelocityTrust trust;
-  for (int i = 0; i < 5; ++i) trust.accept(true, 0.1 * i);
-  ASSERT_TRUE(trust.known());
-  trust.accept(false, 0.5);
-  EXPECT_FALSE(trust.known());
-  EXPECT_EQ(trust.agreeing, 1);
-}
-
 }  // namespace

@@ -153,6 +153,35 @@ TEST(OverLastInterval, AFitOverItIsReturnedUnchanged) {
   EXPECT_EQ(out.motion.covariance, object.fit.motion.covariance);
 }
 
+// The rotation that is most likely under the prior and the fit's errors, which are `photometric_scale` times what the
+// fit says: the minimum of w' P^-1 w + (w - w_fit)' S^-1 (w - w_fit).
+TEST(TurnedSurely, IsTheMeanOfPriorAndFit) {
+  ObjectMotionEstimator estimator;
+  const Moved object(pose({0.01, 0.08, -0.02}, {0.15, 0.02, -0.1}), 1, place);
+  const SE3d out = estimator.turned_surely(object.fit.T_o, object.fit, object.centroid, dt);
+  EXPECT_LT((out * object.centroid - object.fit.T_o * object.centroid).norm(), 1e-12) << "the centre moves as before";
+
+  const dot::Matrix3<double> S = estimator.velocity.photometric_scale * object.fit.sigma.bottomRightCorner<3, 3>();
+  const double turn = estimator.prior.rotation * dt;
+  const Vector3<double> w = dot::so3::log(out.R), w_fit = dot::so3::log(object.fit.T_o.R);
+  const Vector3<double> gradient = w / (turn * turn) + S.inverse() * (w - w_fit);
+  EXPECT_LT(gradient.norm(), 1e-9 * (w_fit / (turn * turn)).norm());
+  EXPECT_GT((w - w_fit).norm(), 0.01 * w_fit.norm());
+}
+
+TEST(TurnedSurely, ASureFitStaysAndAnUnsureOneDoesNotTurn) {
+  const ObjectMotionEstimator estimator;
+  Moved object(pose({0.01, 0.08, -0.02}, {0.15, 0.02, -0.1}), 1, place);
+  const Matrix6<double> I = Matrix6<double>::Identity();
+  object.fit.sigma = 1e-16 * I;
+  SE3d out = estimator.turned_surely(object.fit.T_o, object.fit, object.centroid, dt);
+  EXPECT_LT((out * object.fit.T_o.inverse()).log().norm(), 1e-9);
+  object.fit.sigma = 1e9 * I;
+  out = estimator.turned_surely(object.fit.T_o, object.fit, object.centroid, dt);
+  EXPECT_LT(dot::so3::log(out.R).norm(), 1e-9);
+  EXPECT_LT((out.t - (object.fit.T_o * object.centroid - object.centroid)).norm(), 1e-9);
+}
+
 // A fit from the new frame back to the old one, reversed, is that from the old to the new.
 TEST(Reversed, IsTheMotionForwards) {
   for (const SE3d& step : {SE3d::translation({0.2, 0, 0.05}), pose({0.01, 0.08, -0.02}, {0.15, 0.02, -0.1})}) {

@@ -11,6 +11,7 @@
 
 #include "dot/motion/estimate.hpp"
 #include "dot/motion/settings.hpp"
+#include "dot/motion/velocity_trust.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -32,6 +33,7 @@ struct Belief {
   double log_odds = 0;
   Vector3<double> velocity = Vector3<double>::Zero();    ///< if it moves; m/s, axes of the newest camera
   Matrix3<double> covariance = Matrix3<double>::Zero();  ///< zero: no filter yet
+  VelocityTrust trust;                                   ///< in the filter
 
   double p_moving() const { return 1 / (1 + std::exp(-log_odds)); }
   bool has_velocity() const { return covariance(0, 0) > 0; }
@@ -77,9 +79,10 @@ struct Belief {
     const double evidence = (std::log(moves + 1e-300) - std::log(stands + 1e-300)) / std::sqrt(e.intervals);
     log_odds = std::clamp(log_odds + std::clamp(evidence, -cap, cap), -s.max_log_odds, s.max_log_odds);
 
-    // The filter: restarted where the fit contradicts it.
-    if (has_velocity() && (v - velocity).dot((V + covariance).ldlt().solve(v - velocity)) > 25) covariance.setZero();
-    if (!has_velocity()) velocity.setZero(), covariance = 25 * speed2 * I;
+    // The filter: restarted where fits contradict it.
+    const bool agrees = has_velocity() && (v - velocity).dot((V + covariance).ldlt().solve(v - velocity)) <= 25;
+    if (!trust.accept(agrees)) return;
+    if (!agrees) velocity.setZero(), covariance = 25 * speed2 * I;
     const Matrix3<double> K = covariance * (covariance + V).inverse();
     velocity += K * (v - velocity);
     covariance = (I - K) * covariance;

@@ -31,23 +31,4 @@ struct KnownVelocity {
   }
 };
 
-/// When an object's velocity is known: after fits that agreed, and no longer after as many that did not, lest a wrong
-/// one shuts out those that are right.
-struct VelocityTrust {
-  static constexpr int kFits = 3;
-  int agreeing = 0;     ///< fits in a row
-  int refused = 0;      ///< frames in a row
-  double last_fit = 0;  ///< timestamp
-
-  bool known() const { return agreeing >= kFits; }
-  void accept(bool agrees, double timestamp) {
-    agreeing = agrees ? agreeing + 1 : 1;
-    refused = 0;
-    last_fit = timestamp;
-  }
-  void refuse() {
-    if (++refused >= kFits) agreeing = 0;
-  }
-};
-
 DOT_END_NAMESPACE

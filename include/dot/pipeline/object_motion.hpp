@@ -149,6 +149,17 @@ struct ObjectMotionEstimator {
     return out;
   }
 
+  /// A motion that turns, about a point, no further than its fit is sure of. The fit weighs `motion_prior.rotation`
+  /// against residuals that it takes for independent; with the covariance S that they really give and the prior P, the
+  /// mean of both turns by P (P + S)^-1 w. Outlines need it: turned to and fro by the noise, the far ones fray.
+  /// @param T_o in the axes of the fit. @param centre the point, before it moves. @param dt seconds.
+  SE3d turned_surely(const SE3d& T_o, const ObjectFit& fit, const Vector3<double>& centre, double dt) const {
+    const Matrix3<double> S = velocity.photometric_scale * fit.sigma.bottomRightCorner<3, 3>();
+    const Matrix3<double> P = prior_information(dt).bottomRightCorner<3, 3>().inverse();
+    const Matrix3<double> R = so3::exp(P * (P + S).ldlt().solve(so3::log(T_o.R)));
+    return {R, T_o * centre - R * centre};
+  }
+
   /// Adds to `starts`, of many velocities, those that fit best on a coarse level; for an object without history.
   template <typename Camera, typename Noise, typename Aligner>
   void search(const ObjectReference& reference, const ObjectScene<Camera>& scene, double dt, const Noise& noise,

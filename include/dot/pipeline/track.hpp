@@ -9,6 +9,7 @@
 
 #include "dot/mask/template.hpp"
 #include "dot/mask/warp.hpp"
+#include "dot/motion/velocity_trust.hpp"
 #include "dot/pipeline/object_motion.hpp"
 #include "dot/pipeline/object_path.hpp"
 #include "dot/pipeline/recycling_list.hpp"
@@ -48,11 +49,12 @@ struct Track {
   Reason no_reference = Reason::NoReference;  ///< why the last frame added none
   ObjectPath path;                            ///< since the frames whose masks may still come
   SE3d T_o_predicted;                         ///< constant velocity, previous camera's axes
-  SE3d T_o;                 ///< what carries points and outline: fit and known velocity, else as predicted
-  SE3d T_o_last;            ///< last accepted, seen from the newest camera: the prediction
-  bool has_motion = false;  ///< T_o_last is that of the interval before this one
-  ObjectFit fit;            ///< over the last interval
-  MotionEstimate decisive;  ///< of the reference that tells most
+  SE3d T_o;                                   ///< what carries the points: fit and known velocity, else as predicted
+  SE3d T_o_outline;                           ///< what carries the outline: the same without the noise of its rotation
+  SE3d T_o_last;                              ///< last accepted, seen from the newest camera: the prediction
+  bool has_motion = false;                    ///< T_o_last is that of the interval before this one
+  ObjectFit fit;                              ///< over the last interval
+  MotionEstimate decisive;                    ///< of the reference that tells most
   bool has_decisive = false;
   State state = State::NotObservable;
   State last_decided = State::NotObservable;
@@ -60,6 +62,7 @@ struct Track {
   Vector3<double> velocity = Vector3<double>::Zero();  ///< fused, newest camera's axes
   Matrix3<double> velocity_covariance = Matrix3<double>::Zero();
   VelocityTrust trust;                                        ///< in `velocity`
+  double last_fit = 0;                                        ///< timestamp of the last that `velocity` follows
   Vector3<double> position = Vector3<double>::Zero();         ///< of its middle, newest camera's axes; z > 0: known
   Vector3<double> position_before = Vector3<double>::Zero();  ///< in the frame before, its axes
   double size = 0;                                            ///< metres: root of the largest area that it has shown
@@ -94,7 +97,7 @@ struct Track {
   /// Whether it moves, and by its velocity alone would now be where it is but for a tenth of its size.
   bool goes_on_surely(double timestamp) const {
     return state == State::Moving && has_velocity() &&
-           std::sqrt(velocity_covariance.trace()) * (timestamp - trust.last_fit) < 0.1 * size;
+           std::sqrt(velocity_covariance.trace()) * (timestamp - last_fit) < 0.1 * size;
   }
 
   bool is_shown() const { return visible && !lost && !candidate; }

@@ -67,7 +67,7 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object, Worker& worker) {
   object.fit = {};
   object.has_decisive = false;
-  object.T_o = object.T_o_predicted;
+  object.T_o = object.T_o_outline = object.T_o_predicted;
   if (!camera_state_.known()) {
     object.fit.reason = camera_state_.status == CameraStatus::FirstFrame ? Reason::NoReference : Reason::CameraLost;
     return;
@@ -114,6 +114,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object, Worker& wor
     if (!fit.ok()) continue;
     if (reference.intervals > 1) object.path.forget_after(reference.timestamp);
     object.T_o = T_c.inverse() * reference.T_cur_ref * fit.T_o * reference.T_obj_cur_ref.inverse();
+    object.T_o_outline = object.T_o;
     object.fit = object_estimator.over_last_interval(fit, T_c.inverse() * reference.T_cur_ref, current_.dt);
     decide_by(reference, fit, object.fit);
   }
@@ -122,6 +123,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object, Worker& wor
   if (object.fit.ok() && object.knows_velocity()) {
     const KnownVelocity known{object.velocity, object.velocity_covariance, current_.dt};
     object.T_o = SE3d::translation(known.correction(object.fit.motion) * current_.dt) * object.T_o;
+    const ObjectReference& r = object.references.front();
+    object.T_o_outline =
+        object_estimator.turned_surely(object.T_o, object.fit, r.T_obj_cur_ref * r.centroid, current_.dt);
   }
 
   // Up to three older references, the oldest first.
@@ -186,7 +190,7 @@ KnownVelocity Dot<Camera, Classifier, Noise, Aligner>::known_velocity(const Trac
   if (!object.knows_velocity()) return {};
   const Matrix3<double> R_ref_prev = r.T_cur_ref.R.transpose() * camera_state_.T_cur_prev.R;
   return {R_ref_prev * object.velocity, R_ref_prev * object.velocity_covariance * R_ref_prev.transpose(),
-          current_.timestamp - std::min(object.trust.last_fit, r.timestamp)};
+          current_.timestamp - std::min(object.last_fit, r.timestamp)};
 }
 
 /// Where the alignment begins, the most trusted first: as predicted, standing still, moving as in the interval before,
@@ -251,10 +255,10 @@ Vector3<double> Dot<Camera, Classifier, Noise, Aligner>::anchor(const Mask& mask
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object, const Matrix3<double>& R_cur_fit, double dt) {
   if (object.fit.ok()) {
-    const KnownVelocity before{object.velocity, object.velocity_covariance, current_.timestamp - object.trust.last_fit};
-    object.trust.accept(
-        object.has_velocity() && !before.contradicts(object.fit.motion, object_estimator.settings.max_acceleration),
-        current_.timestamp);
+    const KnownVelocity before{object.velocity, object.velocity_covariance, current_.timestamp - object.last_fit};
+    const bool agrees =
+        object.has_velocity() && !before.contradicts(object.fit.motion, object_estimator.settings.max_acceleration);
+    if (object.trust.accept(agrees)) object.last_fit = current_.timestamp;
   } else if (object.fit.reason == Reason::Implausible) {
     object.trust.refuse();
   }
@@ -276,7 +280,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object, Worker& wo
   const bool fitted = object.fit.ok();
   for (ObjectReference& r : object.references) r.T_obj_cur_ref = T_c * object.T_o * r.T_obj_cur_ref;
   object.position = T_c * object.T_o * object.position_before;
-  const SE3d T_outline = object.state == State::Static ? SE3d{} : object.T_o;
+  const SE3d T_outline = object.state == State::Static ? SE3d{} : object.T_o_outline;
   object.T_cur_outline = T_c * T_outline * object.T_cur_outline;
   object.path.advance(T_c, T_outline);
   // The same motion seen from this camera: the prediction for the next interval.

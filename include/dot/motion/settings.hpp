@@ -45,7 +45,7 @@ struct VelocitySettings {
   double v0 = 0.5;                ///< m/s: what counts as moving
   double v0_per_metre = 0.05;     ///< 1/s: v0 of near objects is this times their range
   double photometric_scale = 3;   ///< inflation of Sigma_x: neighbouring residuals are correlated
-  double floor = 0.04;            ///< m/s per axis, never more certain
+  double floor = 0.03;            ///< m/s per axis, never more certain
   double decide = 0.90;           ///< probability at which a state is won
   double keep = 0.80;             ///< probability down to which it is kept
   double switch_rate = 0.04;      ///< 1/s: how often things start or stop moving

@@ -339,7 +339,8 @@ struct ObjectMotionEstimator {
       const Vector3<double> x = mode.head<3>();
       V += variance * x * x.transpose();
     };
-    add(a.depth_modes[0], common * common + 60 * pixel * pixel / std::max(60, reference.area));
+    // What standing objects make most likely of the modes: paint and glass have worse depth than the background.
+    add(a.depth_modes[0], 1.6 * common * common + 60 * pixel * pixel / std::max(60, reference.area));
     add(a.depth_modes[1], 0.06 * common * common);
     add(a.depth_modes[2], 0.06 * common * common);
     add(a.depth_modes[3], change * change);

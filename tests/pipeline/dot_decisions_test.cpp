@@ -271,6 +271,39 @@ TEST(LookBack, ANewObjectIsDecidedInTheFrameOfItsFirstMask) {
   EXPECT_LT(v.dot(Vp.ldlt().solve(v)), 11.3);
 }
 
+// In the last frame a wall hides three quarters of what the frame before has seen of it.
+TEST(LookBack, WhatSlipsBehindAWallIsFollowedWhileAnythingIsSeenOfIt) {
+  constexpr std::uint32_t wall = 9;
+  constexpr int last = 4;
+  const Vector3<double> velocity(13.5, 0, 0);
+  Film<> film = film_at(10);
+  film.camera_path = straight(origin);
+  film.add(mover, straight({-6.2, 1.3, 8.5}, velocity));
+  film.add(wall, straight({0.624, 0.7, 4.6}));
+  film.direct = [](int, Scene& scene) {
+    for (Body& body : scene.bodies)
+      if (body.id == wall) body.quads = box(wall, {1.3, 1.3, 0.3}, 4000, 0.15, 1.2).quads;
+  };
+  Tracker tracker = stereo_tracker();
+  int whole = 0;
+  for (int i = 0; i <= last; ++i) {
+    const Result& result = film.next(tracker);
+    const ObjectResult* o = object_on(result, film.truth().ids, mover);
+    SCOPED_TRACE(std::to_string(i) + ": " + describe(o));
+    ASSERT_TRUE(o);
+    if (i + 1 == last) whole = o->area;
+    if (i < last) continue;
+    ASSERT_LT(o->area, 0.3 * whole);
+    EXPECT_EQ(o->reason, Reason::None);
+    EXPECT_EQ(o->state, State::Moving);
+    const Vector3<double> before = film.before(mover);
+    const Eigen::Map<const dot::Matrix3<double>> V(o->velocity_covariance.data());
+    const Vector3<double> error = (SE3d::from_row_major(o->T_o) * before - film.T_o(mover) * before) / film.interval;
+    EXPECT_LT(error.dot(V.ldlt().solve(error)), 11.3);  // 99 %
+    EXPECT_LT(error.norm(), 0.1 * velocity.norm());
+  }
+}
+
 // The first frame of all, and one after a gap, have nothing to look back to.
 TEST(LookBack, NeedsAnEarlierFrame) {
   Film<> film = film_at(10);

@@ -181,7 +181,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::place(TrackT& t, Worker& worker) {
   if (t.observed) {
-    if (t.segmented && t.references.empty() && !t.fit.ok()) look_back(t, worker);
+    if (t.segmented && !t.fit.ok()) look_back(t, worker);
     t.mask = *t.observed;
     take_outline(t, current_.inverse_depth(), worker);
     t.T_cur_outline = {};

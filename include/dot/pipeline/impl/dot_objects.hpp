@@ -152,12 +152,14 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object, Worker& wor
   }
 }
 
-/// The motion of an object that no earlier mask shows, from this frame back to the one before: its masks begin here,
-/// its pixels mostly do not.
+/// The motion from this frame back to the one before, for objects to which no earlier mask leads: of a new one masks
+/// begin here, its pixels mostly do not; of one that goes behind something nearly all that earlier masks show is hidden
+/// now, but what this one shows was in view.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object, Worker& worker) {
   if (!camera_state_.known()) return;
-  const SE3d T_prev_cur = camera_state_.T_cur_prev.inverse();
+  const SE3d& T_c = camera_state_.T_cur_prev;
+  const SE3d T_prev_cur = T_c.inverse();
   const AlignState& change = camera_state_.alignment.state;
   ObjectReference& r = worker.here;
   r.restart(current_.timestamp);
@@ -165,20 +167,30 @@ void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object, Worker& 
   r.advance(T_prev_cur, T_prev_cur.adjoint() * camera_state_.covariance * T_prev_cur.adjoint().transpose(),
             1 / change.gain, -change.offset / change.gain);
   const ObjectScene<Camera> scene{before().pyramid, camera_, before().depth, {}};
-  worker.starts.assign(1, SE3d{});
-  object_estimator.search(r, scene, current_.dt, depth_noise, worker.aligner, worker.minima, worker.starts);
+  KnownVelocity known;  // backwards
+  worker.starts.clear();
+  if (object.knows_velocity()) {
+    known = {-object.velocity, object.velocity_covariance, current_.timestamp - object.last_fit};
+    worker.starts.push_back(T_c * object.T_o.inverse() * T_prev_cur);
+  }
+  worker.starts.push_back({});
+  if (!object.knows_velocity())
+    object_estimator.search(r, scene, current_.dt, depth_noise, worker.aligner, worker.minima, worker.starts);
   const ObjectFit fit =
-      object_estimator.fit(r, scene, worker.starts, {}, current_.dt, depth_noise, worker.aligner, worker.minima);
+      object_estimator.fit(r, scene, worker.starts, known, current_.dt, depth_noise, worker.aligner, worker.minima);
   if (!fit.ok()) return;
   object.fit = fit.reversed(T_prev_cur);
+  const SE3d T_carried = object.T_o;
   object.T_o = object.fit.T_o;
   object.has_motion = true;
-  object.T_o_last = camera_state_.T_cur_prev * object.T_o * T_prev_cur;
+  object.T_o_last = T_c * object.T_o * T_prev_cur;
+  for (ObjectReference& older : object.references)
+    older.T_obj_cur_ref = object.T_o_last * T_c * T_carried.inverse() * T_prev_cur * older.T_obj_cur_ref;
+  if (object.has_decisive) return;  // an older frame has told already
   // What is believed already was carried to this frame, so the evidence comes in its axes.
-  const Matrix3<double>& R_c = camera_state_.T_cur_prev.R;
   object.decisive = object.fit.motion;
-  object.decisive.velocity = R_c * object.decisive.velocity;
-  object.decisive.covariance = R_c * object.decisive.covariance * R_c.transpose();
+  object.decisive.velocity = T_c.R * object.decisive.velocity;
+  object.decisive.covariance = T_c.R * object.decisive.covariance * T_c.R.transpose();
   object.has_decisive = fit.phi >= options_.object.min_phi;
   decide(object, Matrix3<double>::Identity(), 0);
 }

@@ -95,10 +95,12 @@ void draw_object(cv::Mat& picture, const cv::Mat& ids, const dot::ObjectResult& 
   paint(picture(large), coverage, style_of(object.state));
 }
 
+/// The speed of what stands is nothing but the fit's error, many m/s where it is far away.
 std::string label_text(const dot::ObjectResult& object) {
   std::string text = "#" + std::to_string(object.id) + " ";
   text += object.state == dot::State::NotObservable ? "not observable" : dot::to_string(object.state);
-  if (object.reason == dot::Reason::None) text += format(" %.1f m/s", object.speed);
+  if (object.state == dot::State::Moving && object.reason == dot::Reason::None)
+    text += format(" %.1f m/s", object.speed);
   return text;
 }
 

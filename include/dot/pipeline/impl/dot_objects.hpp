@@ -180,12 +180,13 @@ void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object, Worker& 
       object_estimator.fit(r, scene, worker.starts, known, current_.dt, depth_noise, worker.aligner, worker.minima);
   if (!fit.ok()) return;
   object.fit = fit.reversed(T_prev_cur);
-  const SE3d T_carried = object.T_o;
+  // Of what was carried here by the motion expected before.
+  const SE3d correction = T_c * object.fit.T_o * object.T_o.inverse() * T_prev_cur;
+  for (ObjectReference& older : object.references) older.T_obj_cur_ref = correction * older.T_obj_cur_ref;
+  if (object.position.z() > 0) object.position = correction * object.position;
   object.T_o = object.fit.T_o;
   object.has_motion = true;
   object.T_o_last = T_c * object.T_o * T_prev_cur;
-  for (ObjectReference& older : object.references)
-    older.T_obj_cur_ref = object.T_o_last * T_c * T_carried.inverse() * T_prev_cur * older.T_obj_cur_ref;
   if (object.has_decisive) return;  // an older frame has told already
   // What is believed already was carried to this frame, so the evidence comes in its axes.
   object.decisive = object.fit.motion;

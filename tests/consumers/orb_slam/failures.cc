@@ -8,8 +8,6 @@
 
 #include "DotExclusion.h"
 
-using ORB_SLAM2::DotExclusion;
-
 namespace {
 
 int failed = 0;

@@ -3,49 +3,16 @@
 
 // sample SETTINGS SEQUENCE rgbd|stereo START [gray|bgra]: runs the host over a sequence that has the layout of
 // examples/data/mini, whose clock starts at START seconds, with its pictures as they are or turned into others. It
-// prints a line a frame: number, features, those on movers, those on parked cars. The truth is read for that alone.
+// prints a line a frame: number, features, those on movers, those on parked cars.
 
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iostream>
-#include <map>
-#include <opencv2/imgcodecs/imgcodecs.hpp>
 #include <opencv2/imgproc/imgproc.hpp>
-#include <sstream>
-#include <string>
 
 #include "System.h"
+#include "truth.h"
 
 using namespace std;
 
 namespace {
-
-const int FRAMES = 24;
-
-cv::Mat Read(const string& path) {
-  const cv::Mat image = cv::imread(path, cv::IMREAD_UNCHANGED);
-  if (image.empty()) {
-    cerr << "cannot read " << path << endl;
-    exit(1);
-  }
-  return image;
-}
-
-// frame -> instance -> whether it moves, from objects.csv: frame,id,class,moving,...
-map<int, map<int, bool>> ReadTruth(const string& path) {
-  ifstream file(path.c_str());
-  string line;
-  getline(file, line);
-  map<int, map<int, bool>> moving;
-  while (getline(file, line)) {
-    stringstream cells(line);
-    string frame, id, name, moves;
-    getline(cells, frame, ','), getline(cells, id, ','), getline(cells, name, ','), getline(cells, moves, ',');
-    moving[atoi(frame.c_str())][atoi(id.c_str())] = moves == "1";
-  }
-  return moving;
-}
 
 cv::Mat As(const string& kind, const cv::Mat& image) {
   cv::Mat other = image;
@@ -63,8 +30,7 @@ int main(int argc, char** argv) {
   }
   const bool stereo = string(argv[3]) == "stereo";
   const string kind = argc == 6 ? argv[5] : "";
-  const string sequence = argv[2];
-  const map<int, map<int, bool>> truth = ReadTruth(sequence + "/objects.csv");
+  const Truth truth(argv[2]);
   ORB_SLAM2::System SLAM(argv[1], stereo ? ORB_SLAM2::System::STEREO : ORB_SLAM2::System::RGBD);
 
   for (int ni = 0; ni < FRAMES; ni++) {
@@ -84,16 +50,9 @@ int main(int argc, char** argv) {
       // end of snippet
     }
 
-    const cv::Mat ids = Read(cv::format("%s/instance/%06d.png", argv[2], ni));
-    const map<int, bool>& moving = truth.at(ni);
-    const vector<cv::KeyPoint> keys = SLAM.GetTrackedKeyPointsUn();
-    int onMovers = 0, onParked = 0;
-    for (size_t i = 0; i < keys.size(); i++) {
-      const map<int, bool>::const_iterator object = moving.find(ids.at<ushort>(keys[i].pt));
-      if (object != moving.end()) ++(object->second ? onMovers : onParked);
-    }
-    printf("frame %d: %d features, %d on movers, %d on parked cars\n", ni, static_cast<int>(keys.size()), onMovers,
-           onParked);
+    vector<cv::Point2f> features;
+    cv::KeyPoint::convert(SLAM.GetTrackedKeyPointsUn(), features);
+    truth.Print(ni, features);
   }
   SLAM.Shutdown();
   return 0;

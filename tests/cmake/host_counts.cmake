@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The dot authors
 # SPDX-License-Identifier: MIT
 #
-# PLAIN and HOST, the same ORB-SLAM-like host without and with dot, on SEQUENCE with SETTINGS and ARGUMENTS. With dot
+# PLAIN and HOST, the same host without and with dot, run with ARGUMENTS on the sample. Without, LEAST features are on
+# movers at least, otherwise this means nothing. With dot
 #  - a twentieth of the features on movers is left at most;
-#  - from the ninth frame on, when all is decided, parked cars have as many features as without; no frame of these has
-#    less than three quarters;
+#  - from the ninth frame on parked cars have as many features as without, no single frame less than half (one car stays
+#    undecided for longer when the depth is from stereo);
 #  - there are as many features in all, but for a hundredth.
 
 set(settled 8) # frames, 0.8 s
@@ -12,7 +13,7 @@ set(settled 8) # frames, 0.8 s
 # Stores in <out>_<kind> the features of all frames, in <out>_parked_late those from `settled` on, in
 # <out>_parked_<frame> those of each.
 function(count out program)
-  execute_process(COMMAND "${program}" "${SETTINGS}" "${SEQUENCE}" ${ARGUMENTS} OUTPUT_VARIABLE text
+  execute_process(COMMAND "${program}" ${ARGUMENTS} OUTPUT_VARIABLE text
                   ERROR_VARIABLE complaints COMMAND_ERROR_IS_FATAL ANY)
   if(complaints)
     message(FATAL_ERROR "${program} complains:\n${complaints}")
@@ -52,7 +53,7 @@ foreach(name IN ITEMS all movers parked parked_late)
 endforeach()
 math(EXPR movers "${before_movers} / 20")
 math(EXPR all "${before_all} * 99 / 100")
-if(before_movers LESS 1000 OR before_parked_late LESS 1000)
+if(before_movers LESS LEAST OR before_parked_late LESS LEAST)
   message(FATAL_ERROR "too few features on cars for this test to mean anything")
 endif()
 if(after_movers GREATER movers)
@@ -62,7 +63,7 @@ if(after_parked_late LESS before_parked_late)
   message(FATAL_ERROR "features on parked cars from frame ${settled} on: less than ${before_parked_late}")
 endif()
 foreach(frame RANGE ${settled} 23)
-  math(EXPR parked "${before_parked_${frame}} * 3 / 4")
+  math(EXPR parked "${before_parked_${frame}} / 2")
   if(after_parked_${frame} LESS parked)
     message(FATAL_ERROR "features on parked cars in frame ${frame}: ${after_parked_${frame}}, less than ${parked}")
   endif()

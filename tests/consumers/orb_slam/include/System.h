@@ -23,6 +23,9 @@ class System {
   cv::Mat TrackRGBD(const cv::Mat& im, const cv::Mat& depthmap, const double& timestamp);
   // end of snippet
 
+  // snippet: orb_late_h
+  // end of snippet
+
   void Shutdown();
   std::vector<cv::KeyPoint> GetTrackedKeyPointsUn();
 

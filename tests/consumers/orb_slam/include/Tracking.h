@@ -30,6 +30,7 @@ class Tracking {
  protected:
   ORBextractor *mpORBextractorLeft, *mpORBextractorRight;
   cv::Mat mK;
+  cv::Mat mDistCoef;
   float mbf;
   float mDepthMapFactor;
   bool mbRGB;

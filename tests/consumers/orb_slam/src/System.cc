@@ -31,6 +31,9 @@ cv::Mat System::TrackRGBD(const cv::Mat& im, const cv::Mat& depthmap, const doub
   return Tcw;
 }
 
+// snippet: orb_late
+// end of snippet
+
 void System::Shutdown() {
   // snippet: orb_shutdown
   // end of snippet

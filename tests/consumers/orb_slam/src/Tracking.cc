@@ -29,6 +29,11 @@ Tracking::Tracking(const string& strSettingPath, int sensor) : mSensor(sensor), 
   mK.at<float>(1, 1) = fSettings["Camera.fy"];
   mK.at<float>(0, 2) = fSettings["Camera.cx"];
   mK.at<float>(1, 2) = fSettings["Camera.cy"];
+  mDistCoef = cv::Mat::zeros(4, 1, CV_32F);
+  mDistCoef.at<float>(0) = fSettings["Camera.k1"];
+  mDistCoef.at<float>(1) = fSettings["Camera.k2"];
+  mDistCoef.at<float>(2) = fSettings["Camera.p1"];
+  mDistCoef.at<float>(3) = fSettings["Camera.p2"];
   mbf = fSettings["Camera.bf"];
   mbRGB = static_cast<int>(fSettings["Camera.RGB"]) != 0;
   mDepthMapFactor = 1 / static_cast<float>(fSettings["DepthMapFactor"]);
@@ -65,8 +70,9 @@ cv::Mat Tracking::GrabImageRGBD(const cv::Mat& imRGB, const cv::Mat& imD, const 
   mImGray = imRGB;
   cv::Mat imDepth = imD;
   ToGray(mImGray, mbRGB);
-  if (fabs(mDepthMapFactor - 1.0f) > 1e-5 || imDepth.type() != CV_32F)
+  if (fabs(mDepthMapFactor - 1.0f) > 1e-5 || imDepth.type() != CV_32F) {
     imDepth.convertTo(imDepth, CV_32F, mDepthMapFactor);
+  }
 
   // snippet: orb_grab_rgbd_mask
   // end of snippet

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "feature_tracker.h"
 
+vector<Eigen::Matrix3d> RIC;
 vector<Eigen::Vector3d> TIC;
 
 namespace {

@@ -14,7 +14,9 @@ struct Camera {
 };
 typedef std::shared_ptr<Camera> CameraPtr;
 
-extern std::vector<Eigen::Vector3d> TIC;  // camera centres in the body, metres
+// The cameras in the body: a point at x in camera i is at RIC[i] x + TIC[i], metres.
+extern std::vector<Eigen::Matrix3d> RIC;
+extern std::vector<Eigen::Vector3d> TIC;
 
 const int MAX_CNT = 300;
 const int MIN_DIST = 8;

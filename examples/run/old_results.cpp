@@ -33,10 +33,14 @@ std::vector<fs::path> pictures_in(const fs::path& folder) {
   return files;
 }
 
+[[noreturn]] void cannot_remove(const fs::path& path, const std::error_code& error) {
+  throw FileError(path.string() + ": is of an earlier run and cannot be removed: " + error.message());
+}
+
 void remove_file(const fs::path& path) {
   std::error_code error;
   if (!fs::is_directory(fs::symlink_status(path, error))) fs::remove(path, error);
-  if (error) throw FileError(path.string() + ": is of an earlier run and cannot be removed: " + error.message());
+  if (error) cannot_remove(path, error);
 }
 
 void remove_pictures(const fs::path& folder) {
@@ -72,12 +76,17 @@ void remove_old_results(const fs::path& out) {
   const fs::path timing = out / ResultNames::timing;
   if (!is_times(timing) && !is_there(partial_name(timing))) return refuse_others(out);
   // First of all the old results stop being complete; when the program ends below, the next run goes on from here.
-  if (is_there(timing)) fs::rename(timing, partial_name(timing));
+  if (is_there(timing)) {
+    std::error_code error;
+    fs::rename(timing, partial_name(timing), error);
+    if (error) cannot_remove(timing, error);
+  }
   for (const char* const name : ResultNames::tables) {
     remove_file(out / name);
     if (name != ResultNames::timing) remove_file(partial_name(out / name));
   }
   for (const char* const folder : ResultNames::pictures) remove_pictures(out / folder);
+  remove_old_masks(out);
 }
 
 void remove_old_masks(const fs::path& masks_out) {

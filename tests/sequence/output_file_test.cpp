@@ -49,6 +49,19 @@ TEST(OutputFile, SaysWhatCannotBeWritten) {
   EXPECT_THROW(runner::OutputFile(folder.path() / "folder"), runner::FileError);
 }
 
+TEST(OutputFile, OnAFullDiskKeepsTheOldOne) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no device that is always full";
+  const RecordingFolder folder;
+  const fs::path path = folder.path() / "table.csv";
+  folder.text("table.csv", "old");
+  fs::create_symlink("/dev/full", runner::partial_name(path));
+  runner::OutputFile file(path);
+  file.stream() << "new";
+  EXPECT_THROW(file.flush(), runner::FileError);
+  EXPECT_THROW(file.finish(), runner::FileError);
+  EXPECT_EQ(content(path), "old");
+}
+
 /// A second name of the old picture still shows it: its file was not opened again.
 TEST(WriteImage, DoesNotWriteInPlace) {
   const RecordingFolder folder;

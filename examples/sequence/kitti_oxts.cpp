@@ -21,7 +21,7 @@ constexpr double radians = 3.14159265358979323846 / 180;
 
 Eigen::Matrix3d read_rotation(const fs::path& path, const std::string& key) {
   const Row row = read_calibration(path, key, 9);
-  const Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(row.values.data());
+  Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(row.values.data());
   check_rotation({path, row.line}, key, R);
   return R;
 }

@@ -267,9 +267,9 @@ rejects "masks below a file" 1 "$work/$cases/file/m" "$seq" --out "$out" --masks
 names() { (cd "$1" && find . -type f | sort); }
 
 fresh
-"$dot_run" "$seq" --out "$work/$cases/clean" --masks-out "$work/$cases/clean/m" > /dev/null
+"$dot_run" "$seq" --out "$work/clean" --masks-out "$work/clean/m" > /dev/null
 rm "$seq"/{rgb,depth,masks}/000002.png
-accepts "a run of two frames" "$seq" --out "$work/$cases/two" --masks-out "$work/$cases/two/m"
+accepts "a run of two frames" "$seq" --out "$work/two" --masks-out "$work/two/m"
 fresh
 accepts "a run of three frames" "$seq" --out "$out" --masks-out "$out/m" --overlay
 mkdir "$out/labels/000009.png" "$out/plots"
@@ -277,9 +277,13 @@ touch "$out/notes.txt" "$out/labels/legend.png" "$out/overlay/00001.png" "$out/m
 rm "$seq"/{rgb,depth,masks}/000002.png
 accepts "a run of two frames into its folder" "$seq" --out "$out" --masks-out "$out/m"
 expected=$(printf '%s\n' ./labels/legend.png ./m/mask_dot/readme ./notes.txt ./overlay/00001.png ./plots/000000.png)
-left=$(comm -13 <(names "$work/$((cases - 1))/two") <(names "$out"))
+left=$(comm -13 <(names "$work/two") <(names "$out"))
 [ "$left" = "$expected" ] || fail "beside the results of two frames there is: $left"
 [ -d "$out/labels/000009.png" ] || fail "a folder was removed"
+fresh
+accepts "masks in the folder of the results" "$seq" --out "$out" --masks-out "$out"
+accepts "no masks the next time" "$seq" --out "$out"
+[ ! -e "$out/mask_dot" ] && [ ! -e "$out/mask_all" ] || fail "masks of the run before are left"
 fresh
 mkdir -p "$out/labels"; touch "$out/labels/000007.png"
 rejects "labels of somebody else" 1 "$out/labels/000007.png" "$seq" --out "$out"
@@ -292,7 +296,6 @@ rejects "camera.txt of somebody else" 1 "$out/camera.txt" "$seq" --out "$out"
 # --- A run that is killed: no picture is half written, no table has its name; the next run is as any other.
 
 fresh
-clean=$work/$((cases - 4))/clean
 cp -r "$seq" "$seq.whole"
 rm "$seq/depth/000002.png"
 mkfifo "$seq/depth/000002.png" # the run waits here for its third frame
@@ -306,21 +309,21 @@ done
 kill -KILL "$run"
 wait "$run" 2> /dev/null
 for file in labels instances m/mask_dot m/mask_all; do
-  for i in 0 1; do cmp -s "$out/$file/00000$i.png" "$clean/$file/00000$i.png" || fail "killed: $file/00000$i.png differs"; done
+  for i in 0 1; do cmp -s "$out/$file/00000$i.png" "$work/clean/$file/00000$i.png" || fail "killed: $file/00000$i.png differs"; done
   [ "$(ls "$out/$file")" = "$(printf '00000%d.png\n' 0 1)" ] || fail "killed: $file/ holds $(ls "$out/$file")"
 done
 for file in camera.txt objects.csv timing.csv; do
   [ ! -e "$out/$file" ] || fail "killed: $file looks complete"
   [ -s "$out/$file.partial" ] || fail "killed: nothing of $file was kept"
 done
-cmp -s <(head -n 2 "$clean/camera.txt") "$out/camera.txt.partial" || fail "killed: the camera of two frames is not there"
+cmp -s <(head -n 2 "$work/clean/camera.txt") "$out/camera.txt.partial" || fail "killed: the camera of two frames is not there"
 # As if it had been killed while it wrote a picture, too.
-head -c 20 "$clean/labels/000002.png" > "$out/labels/000002.png.partial"
+head -c 20 "$work/clean/labels/000002.png" > "$out/labels/000002.png.partial"
 echo "not ours" > "$out/labels/000002.partial"
 accepts "after a killed run" "$seq.whole" --out "$out" --masks-out "$out/m"
 rm "$out/labels/000002.partial" || fail "a file that is not ours was removed"
-[ "$(names "$out")" = "$(names "$clean")" ] || fail "after a killed run the folder holds: $(names "$out")"
-diff -r -x timing.csv "$clean" "$out" > "$work/stderr" || fail "after a killed run the results differ"
+[ "$(names "$out")" = "$(names "$work/clean")" ] || fail "after a killed run the folder holds: $(names "$out")"
+diff -r -x timing.csv "$work/clean" "$out" > "$work/stderr" || fail "after a killed run the results differ"
 
 if [ "$failures" -gt 0 ]; then
   echo "$failures checks failed" >&2

@@ -24,7 +24,7 @@ Projection read_projection(const std::filesystem::path& path, const std::string&
   const Row row = read_calibration(path, key, 12);
   const std::vector<double>& P = row.values;
   const Place place{path, row.line};
-  for (const std::size_t i : {1, 4, 8, 9, 10})
+  for (const std::size_t i : {1U, 4U, 8U, 9U, 10U})
     if (std::abs(P[i] - (i == 10 ? 1 : 0)) > rounding)
       fail(place, key + " must be 'fx 0 cx . 0 fy cy . 0 0 1 .', the projection of a rectified camera");
   Projection p{{P[0], P[5], P[2], P[6], image.width, image.height, 0}, {}, row.line};

@@ -69,6 +69,19 @@ std::vector<Stamped> read_stamped(const fs::path& path, std::size_t fields) {
   return rows;
 }
 
+/// Times and names of files, which must lie in the recording's folder.
+std::vector<Stamped> read_names(const fs::path& path) {
+  std::vector<Stamped> rows = read_stamped(path, 1);
+  for (const Stamped& row : rows) {
+    const fs::path name = row.fields[0];
+    const bool printable =
+        std::none_of(row.fields[0].begin(), row.fields[0].end(), [](unsigned char c) { return c < ' ' || c == 0x7F; });
+    if (!printable || name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end())
+      fail({path, row.line}, quoted(row.fields[0]) + " is not the name of a file in this folder");
+  }
+  return rows;
+}
+
 /// The last row at or before a time, and the one after it.
 using Neighbours = std::pair<std::vector<Stamped>::const_iterator, std::vector<Stamped>::const_iterator>;
 Neighbours around(const std::vector<Stamped>& rows, double time) {
@@ -120,13 +133,13 @@ bool is_tum_rgbd(const fs::path& folder) { return fs::exists(folder / "rgb.txt")
 
 Recording read_tum_rgbd(const SequenceOptions& options) {
   if (options.stereo) throw FileError(options.folder.string() + ": a TUM RGB-D recording has no stereo pair");
-  const std::vector<Stamped> depths = read_stamped(options.folder / "depth.txt", 1);
+  const std::vector<Stamped> depths = read_names(options.folder / "depth.txt");
   Recording recording;
   recording.layout = "TUM RGB-D";
   recording.depth_source = dot::DepthSource::Rgbd;
   recording.depth_units_per_metre = depth_units_per_metre;
   int number = 0;
-  for (const Stamped& image : read_stamped(options.folder / "rgb.txt", 1)) {
+  for (const Stamped& image : read_names(options.folder / "rgb.txt")) {
     RecordingEntry entry;
     entry.number = number++;
     entry.timestamp = image.time;

@@ -90,6 +90,20 @@ TEST(TumRgbd, ErrorsNameFileAndLine) {
   EXPECT_EQ(folder.complaint(), (folder.path() / "groundtruth.txt").string() + ":1: must be a time and 7 numbers");
 }
 
+/// Whatever stands there would be opened, /dev/zero without an end.
+TEST(TumRgbd, NamesThatLeadOutOfTheFolder) {
+  using std::string_literals::operator""s;
+  for (const std::string list : {"rgb.txt", "depth.txt"}) {
+    const RecordingFolder folder;
+    write_room(folder);
+    const std::string none = " is not the name of a file in this folder";
+    expect_complaints(folder, list,
+                      {{"from the root", "10.00 /dev/zero\n", ":1: '/dev/zero'" + none},
+                       {"from above", "# t\n10.00 rgb/../../10.00.png\n", ":2: 'rgb/../../10.00.png'" + none},
+                       {"cut by a NUL", "10.00 rgb/10.00.png\0x\n"s, ":1: 'rgb/10.00.png?x'" + none}});
+  }
+}
+
 TEST(TumRgbd, TruePosesThatAreNone) {
   const RecordingFolder folder;
   write_room(folder);

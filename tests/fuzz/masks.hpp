@@ -65,7 +65,7 @@ inline void add_instances(Arena& arena, const Picture& p, int detail, bool ids_t
     instance.class_id = k;
     instance.score =
         fault.among(3, 3) == 0 ? static_cast<float>(std::clamp(odd_number(fault.value), -3e38, 3e38)) : 0.9f;
-    instance.flags = k == 2 && (detail & 0x40) != 0 ? DOT_INSTANCE_ALWAYS_DYNAMIC : 0u;
+    if (k == 2 && (detail & 0x40) != 0) instance.flags = DOT_INSTANCE_ALWAYS_DYNAMIC;
     if (fault.among(4, 4) == 0) instance.flags = static_cast<std::uint32_t>(fault.value);
     if (fault.among(5, 5) == 0) instance.reserved = static_cast<std::uint32_t>(fault.value);
     instance.x = box[0];

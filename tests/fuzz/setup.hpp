@@ -85,6 +85,11 @@ struct Setup {
       set("camera.min_inliers", 0.2);
     }
     if ((form & 64) != 0) set("motion_prior.ground_vehicle", 1);
+    if ((form & 128) == 0) {  // for more frames a second
+      set("camera.search_speed", 4);
+      set("camera.search_turn", 0.3);
+      set("object.search_speed", 8);
+    }
     for (int i = 0; i < 4; ++i) {
       const int which = in.byte(), value = in.byte();
       if (which > 0) set_odd(static_cast<std::size_t>(which - 1), value);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "dot/dot.h"
@@ -99,7 +100,7 @@ template <std::size_t N>
 void check_covariance(const double (&values)[N]) {
   check_finite(values);
   constexpr std::size_t step = N == 36 ? 7 : 4;
-  for (std::size_t i = 0; i < N; i += step) FUZZ_DEMAND(values[i] >= 0);
+  for (std::size_t i = 0; i < N; i += step) FUZZ_DEMAND_FOR(values[i] >= 0, std::to_string(values[i]).c_str());
 }
 
 inline void check_camera(const dot_camera_result& camera) {

@@ -30,7 +30,13 @@ namespace {
 struct ErrorText {
   char text[512];
 
-  void set(const char* message) noexcept { std::snprintf(text, sizeof text, "%s", message); }
+  /// In one line, whatever the message of another library looks like.
+  void set(const char* message) noexcept {
+    std::snprintf(text, sizeof text, "%s", message);
+    for (char* c = text; *c != '\0'; ++c)
+      if (static_cast<unsigned char>(*c) < ' ') *c = ' ';
+    for (std::size_t end = std::strlen(text); end > 0 && text[end - 1] == ' '; --end) text[end - 1] = '\0';
+  }
   void clear() noexcept { text[0] = '\0'; }
 };
 
@@ -114,15 +120,10 @@ dot_status guard(dot_tracker* tracker, Body&& body) noexcept {
   if (tracker == nullptr) return DOT_INVALID_ARGUMENT;
   const Use use(*tracker);
   if (!use.granted()) return DOT_BUSY;
-  dot_status status = guard(tracker->error, body);
+  const dot_status status = guard(tracker->error, body);
   if (status == DOT_OUT_OF_MEMORY || status == DOT_INTERNAL) {
     tracker->result = nullptr;
-    try {
-      tracker->tracker.reset();
-    } catch (...) {
-      tracker->error.set("the tracker could not be reset after a failure");
-      status = DOT_INTERNAL;
-    }
+    tracker->tracker.reset();
   }
   if (status != DOT_OK) log(*tracker, DOT_LOG_ERROR, tracker->error.text);
   return status;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -27,17 +28,21 @@ using dot::FieldName;
 
 [[noreturn]] inline void invalid(const std::string& message) { throw std::invalid_argument(message); }
 
-/// Size of a struct in its first published form. When a struct grows, the offset of its first new field goes here.
+/// Sizes of a struct in the forms that were published. When a struct grows, the offset of its first new field goes
+/// here: any size between would cut a field in half.
 template <typename T>
-constexpr std::uint32_t first_size = sizeof(T);
+constexpr std::array<std::uint32_t, 1> published_sizes{sizeof(T)};
 template <>
-inline constexpr std::uint32_t first_size<dot_camera_result> = offsetof(dot_camera_result, masked_share);
+inline constexpr std::array<std::uint32_t, 3> published_sizes<dot_camera_result>{
+    offsetof(dot_camera_result, masked_share), offsetof(dot_camera_result, small_instances), sizeof(dot_camera_result)};
 template <>
-inline constexpr std::uint32_t first_size<dot_frame> = offsetof(dot_frame, camera_prior);
+inline constexpr std::array<std::uint32_t, 2> published_sizes<dot_frame>{offsetof(dot_frame, camera_prior),
+                                                                         sizeof(dot_frame)};
 
 template <typename T>
 void check_size(std::uint32_t size, const FieldName& name) {
-  if (size >= first_size<T> && size <= sizeof(T)) return;
+  for (const std::uint32_t published : published_sizes<T>)
+    if (size == published) return;
   invalid(name + ".struct_size is " + std::to_string(size) + ", must be sizeof, " + std::to_string(sizeof(T)) +
           (size > sizeof(T) ? " in this library: is the header newer?" : ""));
 }
@@ -76,19 +81,18 @@ struct Format {
   std::uint32_t value;
   dot::PixelFormat format;
   const char* name;
-  int element;  // bytes of the type that its data must be aligned to
 };
 
 constexpr Format formats[] = {
-    {DOT_FORMAT_GREY8, dot::PixelFormat::Grey8, "GREY8", 1},
-    {DOT_FORMAT_BGR8, dot::PixelFormat::Bgr8, "BGR8", 1},
-    {DOT_FORMAT_RGB8, dot::PixelFormat::Rgb8, "RGB8", 1},
-    {DOT_FORMAT_BGRA8, dot::PixelFormat::Bgra8, "BGRA8", 1},
-    {DOT_FORMAT_DEPTH_F32, dot::PixelFormat::DepthF32, "DEPTH_F32", 4},
-    {DOT_FORMAT_DEPTH_U16, dot::PixelFormat::DepthU16, "DEPTH_U16", 2},
-    {DOT_FORMAT_ID8, dot::PixelFormat::Id8, "ID8", 1},
-    {DOT_FORMAT_ID16, dot::PixelFormat::Id16, "ID16", 2},
-    {DOT_FORMAT_ID32, dot::PixelFormat::Id32, "ID32", 4},
+    {DOT_FORMAT_GREY8, dot::PixelFormat::Grey8, "GREY8"},
+    {DOT_FORMAT_BGR8, dot::PixelFormat::Bgr8, "BGR8"},
+    {DOT_FORMAT_RGB8, dot::PixelFormat::Rgb8, "RGB8"},
+    {DOT_FORMAT_BGRA8, dot::PixelFormat::Bgra8, "BGRA8"},
+    {DOT_FORMAT_DEPTH_F32, dot::PixelFormat::DepthF32, "DEPTH_F32"},
+    {DOT_FORMAT_DEPTH_U16, dot::PixelFormat::DepthU16, "DEPTH_U16"},
+    {DOT_FORMAT_ID8, dot::PixelFormat::Id8, "ID8"},
+    {DOT_FORMAT_ID16, dot::PixelFormat::Id16, "ID16"},
+    {DOT_FORMAT_ID32, dot::PixelFormat::Id32, "ID32"},
 };
 
 inline const Format& find_format(std::uint32_t value, std::initializer_list<std::uint32_t> allowed,
@@ -115,8 +119,9 @@ inline dot::ImageRef read_image(const dot_image* in, std::initializer_list<std::
   const std::int64_t row = static_cast<std::int64_t>(image.width) * dot::bytes_per_pixel(format.format);
   if (image.stride_bytes < row || image.stride_bytes > std::numeric_limits<std::ptrdiff_t>::max() / image.height)
     invalid(name + ".stride_bytes is " + std::to_string(image.stride_bytes) + ", a row takes " + std::to_string(row));
-  if (image.stride_bytes % format.element != 0) invalid(name + ".stride_bytes is not a multiple of its element's size");
-  if (reinterpret_cast<std::uintptr_t>(image.data) % static_cast<std::uintptr_t>(format.element) != 0)
+  const int element = dot::bytes_per_element(format.format);
+  if (image.stride_bytes % element != 0) invalid(name + ".stride_bytes is not a multiple of its element's size");
+  if (reinterpret_cast<std::uintptr_t>(image.data) % static_cast<std::uintptr_t>(element) != 0)
     invalid(name + ".data is not aligned to its element's size");
   dot::ImageRef ref;
   ref.data = image.data;
@@ -327,6 +332,7 @@ static_assert(to_c(dot::Reason::Implausible) == DOT_REASON_IMPLAUSIBLE);
 static_assert(to_c(dot::Reason::Hidden) == DOT_REASON_HIDDEN);
 static_assert(to_c(dot::Reason::CameraLost) == DOT_REASON_CAMERA_LOST);
 static_assert(to_c(dot::Reason::Lost) == DOT_REASON_LOST);
+static_assert(to_c(dot::Reason::TooManyObjects) == DOT_REASON_TOO_MANY_OBJECTS);
 static_assert(to_c(dot::CameraStatus::FirstFrame) == DOT_CAMERA_FIRST_FRAME);
 static_assert(to_c(dot::CameraStatus::Tracked) == DOT_CAMERA_TRACKED);
 static_assert(to_c(dot::CameraStatus::FromHost) == DOT_CAMERA_FROM_HOST);
@@ -383,6 +389,7 @@ inline dot_camera_result to_c(const dot::Result& result) {
   out.residual_sigma = camera.residual_sigma;
   out.normalised_variance = camera.normalised_variance;
   out.masked_share = dot::masked_share(result);
+  out.small_instances = result.small_instances;
   return out;
 }
 

@@ -62,11 +62,12 @@ if(DOT_BUILD_CAPI)
   dot_install_pkgconfig(dot_capi)
 endif()
 
+configure_file("${PROJECT_SOURCE_DIR}/cmake/dotComponents.cmake.in" "${PROJECT_BINARY_DIR}/dotComponents.cmake" @ONLY)
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/dotConfig.cmake.in" "${PROJECT_BINARY_DIR}/dotConfig.cmake"
                               INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/dotConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
-install(FILES "${PROJECT_BINARY_DIR}/dotConfig.cmake" "${PROJECT_BINARY_DIR}/dotConfigVersion.cmake"
-        DESTINATION ${package_dir} COMPONENT development)
+install(FILES "${PROJECT_BINARY_DIR}/dotConfig.cmake" "${PROJECT_BINARY_DIR}/dotComponents.cmake"
+              "${PROJECT_BINARY_DIR}/dotConfigVersion.cmake" DESTINATION ${package_dir} COMPONENT development)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/dot COMPONENT development)
 
 if(DOT_INSTALL_TOOLS)

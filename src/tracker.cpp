@@ -55,7 +55,7 @@ const Result& Tracker::track(const Frame& frame) { return impl_->pipeline.track(
 void Tracker::submit_masks(std::uint64_t frame_id, const Masks& masks) {
   impl_->pipeline.submit_masks(frame_id, masks);
 }
-void Tracker::reset() { impl_->pipeline.reset(); }
+void Tracker::reset() noexcept { impl_->pipeline.reset(); }
 void Tracker::set_pool(ThreadPool pool) { impl_->pipeline.threads.pool = std::move(pool); }
 const Options& Tracker::options() const { return impl_->pipeline.options(); }
 

@@ -42,7 +42,7 @@ class DOT_EXPORT Tracker {
   void submit_masks(std::uint64_t frame_id, const Masks& masks);
 
   /// Forgets all frames and objects; keeps buffers and never reuses an id.
-  void reset();
+  void reset() noexcept;
 
   /// Lends the host's threads, of which Options::threads are used; without, and for an empty pool, they are OpenCV's.
   void set_pool(ThreadPool pool);

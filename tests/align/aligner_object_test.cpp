@@ -199,6 +199,26 @@ TEST(AlignObject, DepthModesPredictWhatADepthErrorDoes) {
   }
 }
 
+// Candidates are finished one after the other with one aligner; what the first excluded is nothing to the second.
+TEST(AlignObject, FinishDoesNotDependOnTheCallBefore) {
+  const Pair pair({0.06, 0.02, 0.1}, Vector3<double>::Zero());
+  const AlignProblem<Pinhole> problem = pair.problem();
+  const auto finish = [&](DirectAligner<>& aligner, const SE3d& T_o) {
+    Alignment a;
+    a.state.T = T_c * T_o;
+    a.sigma_intensity = 2;
+    aligner.finish(problem, a);
+    return a;
+  };
+  DirectAligner<> fresh, used;
+  const Alignment expected = finish(fresh, pair.T_o);
+  finish(used, SE3d::translation(Vector3<double>(0.15, 0, 0)));  // fits badly, so that many points are excluded
+  const Alignment again = finish(used, pair.T_o);
+  EXPECT_EQ(again.sigma_intensity, expected.sigma_intensity);
+  EXPECT_EQ(again.state.T.t, expected.state.T.t);
+  EXPECT_EQ(again.inliers, expected.inliers);
+}
+
 TEST(AlignObject, CountsWhatTheDepthConfirms) {
   const Pair pair({0.06, 0.02, 0.1}, Vector3<double>::Zero());
   const Alignment good = Pair::align(pair.problem());

@@ -188,6 +188,9 @@ static void test_frame_errors(void) {
   CHECK_FRAME(s->frame.struct_size = 0, "frame.struct_size");
   CHECK_FRAME(s->frame.struct_size = offsetof(dot_frame, camera_motion), "frame.struct_size");
   CHECK_FRAME(s->frame.struct_size = sizeof s->frame + 8, "frame.struct_size");
+  /* A size that cuts a pointer in half: the half of it that is not there would be read as part of an address. */
+  CHECK_FRAME((s->frame.camera_prior = prior, s->frame.struct_size = offsetof(dot_frame, camera_prior) + 4),
+              "frame.struct_size");
   CHECK_FRAME(s->frame.reserved = 3, "frame.reserved");
   CHECK_FRAME(s->frame.timestamp = 0.2, "timestamp");
   CHECK_FRAME(s->frame.timestamp = NAN, "timestamp");

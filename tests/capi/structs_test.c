@@ -24,8 +24,8 @@ static void test_layout(void) {
   CHECK(sizeof(dot_camera_motion) == 392 && offsetof(dot_camera_motion, covariance) == 104);
   CHECK(sizeof(dot_frame) == 64 && offsetof(dot_frame, image) == 24 && offsetof(dot_frame, masks) == 40);
   CHECK(offsetof(dot_frame, camera_prior) == 56);
-  CHECK(sizeof(dot_camera_result) == 472 && offsetof(dot_camera_result, masked_share) == 464 &&
-        offsetof(dot_camera_result, T_cur_prev) == 40);
+  CHECK(sizeof(dot_camera_result) == 480 && offsetof(dot_camera_result, masked_share) == 464 &&
+        offsetof(dot_camera_result, T_cur_prev) == 40 && offsetof(dot_camera_result, small_instances) == 472);
   CHECK(sizeof(dot_object) == 704 && offsetof(dot_object, p_moving) == 64 && offsetof(dot_object, T_o) == 72);
   CHECK(offsetof(dot_object, fused_velocity) == 608);
   CHECK(sizeof(dot_exclusion_policy) == 16);
@@ -40,6 +40,7 @@ static void test_pinned_values(void) {
   CHECK(DOT_FORMAT_ID32 == 9 && DOT_FORMAT_LABEL8 == 10);
   CHECK(DOT_STATE_BACKGROUND == 0 && DOT_STATE_STATIC == 1 && DOT_STATE_MOVING == 2 && DOT_STATE_NOT_OBSERVABLE == 3);
   CHECK(DOT_REASON_NONE == 0 && DOT_REASON_NEW == 1 && DOT_REASON_LEAVES_IMAGE == 6 && DOT_REASON_LOST == 15);
+  CHECK(DOT_REASON_TOO_MANY_OBJECTS == 16);
   CHECK(DOT_CAMERA_FIRST_FRAME == 0 && DOT_CAMERA_TRACKED == 1 && DOT_CAMERA_FROM_HOST == 2);
   CHECK(DOT_CAMERA_TOO_LITTLE_DEPTH == 3 && DOT_CAMERA_LOST == 4);
   CHECK(DOT_CLASSIFIER_VELOCITY == 0 && DOT_CLASSIFIER_ENTROPY == 1 && DOT_CLASSIFIER_ENTROPY_LITERAL == 2);
@@ -128,6 +129,19 @@ static void test_older_struct(void) {
   CHECK(dot_get_camera(tracker, &camera) == DOT_OK);
   CHECK(camera.frame_id == s->frame.id && camera.masked_share == 77);
   CHECK(camera.struct_size == offsetof(dot_camera_result, masked_share));
+  {
+    uint32_t size, accepted = 0;
+    for (size = 0; size <= sizeof camera + 16; ++size) {
+      dot_camera_result at_size = DOT_CAMERA_RESULT_INIT;
+      at_size.struct_size = size;
+      accepted += dot_get_camera(tracker, &at_size) == DOT_OK;
+    }
+    CHECK(accepted == 3); /* the sizes that were published, and none between */
+  }
+  camera.struct_size = offsetof(dot_camera_result, small_instances);
+  camera.small_instances = 77;
+  CHECK(dot_get_camera(tracker, &camera) == DOT_OK);
+  CHECK(camera.small_instances == 77);
   camera.struct_size -= 1;
   CHECK_INVALID(tracker, dot_get_camera(tracker, &camera), "out.struct_size");
   camera.struct_size = sizeof camera;

@@ -118,7 +118,7 @@ inline void check_object(const dot_object& o) {
   FUZZ_DEMAND(o.id != 0);
   FUZZ_DEMAND(o.state >= DOT_STATE_STATIC && o.state <= DOT_STATE_NOT_OBSERVABLE);
   FUZZ_DEMAND(o.last_decided >= DOT_STATE_STATIC && o.last_decided <= DOT_STATE_NOT_OBSERVABLE);
-  FUZZ_DEMAND(o.reason <= DOT_REASON_LOST);
+  FUZZ_DEMAND(o.reason <= DOT_REASON_TOO_MANY_OBJECTS);
   FUZZ_DEMAND(o.flags <= (DOT_OBJECT_ALWAYS_DYNAMIC | DOT_OBJECT_SEGMENTED | DOT_OBJECT_DISCOVERED));
   FUZZ_DEMAND(o.p_moving >= 0 && o.p_moving <= 1);
   FUZZ_DEMAND(o.n_inliers >= 0 && o.n_inliers <= o.n_points);

@@ -22,7 +22,7 @@ std::vector<int> associate(const std::vector<Mask>& predicted, const std::vector
   std::vector<dot::Outline> p, o;
   for (const Mask& mask : predicted) p.push_back({&mask, 0});
   for (const Mask& mask : observed) o.push_back({&mask, 0});
-  dot::AssociationWorkspace workspace;
+  dot::SparseAssignWorkspace workspace;
   return dot::associate(p, o, settings, workspace);
 }
 
@@ -75,7 +75,7 @@ TEST(Association, ASpeckUnderALargeMaskIsNotContinuedByIt) {
 TEST(Association, WhatPassesBehindIsAnotherThing) {
   const Mask near = rectangle(0, 0, 60, 20), far = rectangle(40, 5, 15, 10);
   const auto partner = [](const Mask& a, double qa, const Mask& b, double qb) {
-    dot::AssociationWorkspace workspace;
+    dot::SparseAssignWorkspace workspace;
     return dot::associate({{&a, qa}}, {{&b, qb}}, {}, workspace)[0];
   };
   EXPECT_EQ(partner(far, 0.02, near, 0.1), -1);

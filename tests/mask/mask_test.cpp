@@ -112,10 +112,12 @@ TEST(Mask, OverlapsEqualBruteForce) {
 using Split = std::vector<std::pair<std::uint32_t, Mask>>;
 
 void split(const ImageRef& ids, Split& out) {
-  dot::SplitWorkspace workspace;
-  workspace.runs.push_back({1, 2, 3, 4});  // of an earlier image
+  dot::IdRuns runs;
+  runs.runs.push_back({1, 2, 3, 4});  // of an earlier image
+  dot::find_runs(ids, runs);
   out.clear();
-  dot::split_ids(ids, workspace, [&](std::uint32_t id) -> Mask& { return out.emplace_back(id, Mask{}).second; });
+  dot::split_ids(runs, [&](std::uint32_t id) -> Mask& { return out.emplace_back(id, Mask{}).second; });
+  EXPECT_EQ(runs.instances, out.size());
 }
 
 /// An id image of blobs, with rows longer than the image.

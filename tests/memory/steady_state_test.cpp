@@ -221,4 +221,20 @@ TEST(SteadyState, WithAllThatAHostMayGive) {
   EXPECT_EQ(object->state, State::Moving) << describe(object);
 }
 
+// A clock that runs in other units, or a camera of a million frames a second: what is remembered is bounded all the
+// same.
+TEST(SteadyState, WithFramesMicrosecondsApart) {
+  for (const bool masks : {true, false}) {
+    Film<> film = crossing();
+    film.epoch = 0;
+    film.edit = [masks](int i, dot::Frame& frame) {
+      frame.timestamp = 1e-6 * i;
+      if (!masks && i > 0) frame.masks.reset();
+    };
+    Tracker tracker = make_tracker();
+    allocations(film, tracker, 6 * kWarmUp);
+    EXPECT_EQ(allocations(film, tracker, kPeriod), 0) << "masks " << masks;
+  }
+}
+
 }  // namespace

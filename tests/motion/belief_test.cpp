@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "support/numeric_jacobian.hpp"
 #include "support/random.hpp"
@@ -188,6 +190,77 @@ TEST(Belief, AFitThatKnowsLittleDoesNotEndWhatIsKnown) {
   belief.predict(0.1, I, settings);
   EXPECT_NEAR(belief.velocity.z(), 15, 0.5);
   EXPECT_LT(belief.covariance(2, 2), 1);
+}
+
+/// What two seconds of fits against a frame 0.4 s back leave, at a frame rate.
+struct AfterTwoSeconds {
+  Belief belief;
+  double variance = 0;  ///< of the velocity, between what it is just before and just after a fit (geometric mean)
+};
+AfterTwoSeconds after_two_seconds(double rate, const Vector3<double>& velocity, double sigma) {
+  AfterTwoSeconds out;
+  const int frames = static_cast<int>(std::lround(2 * rate));
+  for (int i = 0; i < frames; ++i) {
+    out.belief.update(fit(velocity, sigma, 0.4, 0.4 * rate), 0.5, settings);
+    const double after = out.belief.covariance(0, 0);
+    out.belief.predict(1 / rate, I, settings);
+    out.variance = std::sqrt(after * out.belief.covariance(0, 0));
+  }
+  return out;
+}
+
+TEST(Belief, GrowsUncertainByTimeAtAnyFrameRate) {
+  const auto grown = [](double rate) {
+    Belief belief;
+    belief.update(fit({3, 0, 0}, 0.2), 0.5, settings);
+    for (int i = 0; i < std::lround(rate); ++i) belief.predict(1 / rate, I, settings);
+    return belief.covariance(0, 0);
+  };
+  const double at_10 = grown(10);
+  EXPECT_GT(at_10, 0.5);
+  for (const double rate : {5.0, 30.0, 60.0}) EXPECT_NEAR(grown(rate), at_10, 1e-9) << rate;
+}
+
+TEST(Belief, TheSameSecondsGiveTheSameBeliefAtAnyFrameRate) {
+  for (const double speed : {0.0, 0.3, 1.5, 3.0})
+    for (const double sigma : {0.1, 0.4}) {
+      const AfterTwoSeconds at_10 = after_two_seconds(10, {speed, 0, 0}, sigma);
+      for (const double rate : {5.0, 30.0, 60.0}) {
+        const AfterTwoSeconds at = after_two_seconds(rate, {speed, 0, 0}, sigma);
+        EXPECT_NEAR(at.belief.p_moving(), at_10.belief.p_moving(), 0.05)
+            << speed << " m/s, sigma " << sigma << ", " << rate << " Hz";
+        // A fit every 0.2 s is half as many independent ones: the root of two more of variance.
+        const double expected = rate < 10 ? std::sqrt(2) : 1;
+        EXPECT_NEAR(at.variance / at_10.variance, expected, 0.1) << rate;
+      }
+    }
+}
+
+TEST(Belief, NothingThatIsNotFiniteEnters) {
+  Belief belief;
+  for (int i = 0; i < 5; ++i) belief.update(fit({3, 0, 0}, 0.2), 0.5, settings);
+  const Belief before = belief;
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  std::vector<MotionEstimate> bad;
+  for (const double value : {nan, inf, -inf}) {
+    bad.push_back(fit({value, 0, 0}, 0.2));
+    bad.push_back(fit({3, 0, 0}, 0.2, value));
+    bad.push_back(fit({3, 0, 0}, 0.2));
+    bad.back().covariance(1, 2) = value;
+  }
+  bad.push_back(fit({3, 0, 0}, 0.2, 0.1, 0));
+  bad.push_back(fit({3, 0, 0}, 0.2));
+  bad.back().covariance = -I;  // of no Gaussian
+  for (const MotionEstimate& e : bad) {
+    belief.update(e, 0.5, settings);
+    ASSERT_TRUE(std::isfinite(belief.log_odds) && belief.velocity.allFinite() && belief.covariance.allFinite());
+    if (&e == &bad.back()) break;
+    EXPECT_EQ(belief.log_odds, before.log_odds);
+    EXPECT_EQ(belief.velocity, before.velocity);
+  }
+  belief.predict(0.1, I, settings);
+  belief.update(fit({3, 0, 0}, 0.2), 0.5, settings);
+  EXPECT_GT(belief.p_moving(), 0.9);
 }
 
 }  // namespace

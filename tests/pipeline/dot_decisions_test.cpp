@@ -197,7 +197,7 @@ TEST(NoDepthForAFrame, TheNextStillTellsTheMotion) {
     SCOPED_TRACE(std::to_string(i) + ": " + describe(o));
     ASSERT_TRUE(o);
     ASSERT_EQ(o->reason, Reason::None);
-    EXPECT_NEAR(o->interval, i == blind + 1 ? 0.2 : 0.1, 1e-9);
+    EXPECT_NEAR(o->interval, i == blind + 1 ? 0.2 : 0.1, kClockError);
     const Eigen::Map<const Vector3<double>> velocity(o->velocity.data());
     const Eigen::Map<const dot::Matrix3<double>> V(o->velocity_covariance.data());
     const Vector3<double> before = film.before(mover);
@@ -256,7 +256,7 @@ TEST(LookBack, ANewObjectIsDecidedInTheFrameOfItsFirstMask) {
   ASSERT_TRUE(o);
   EXPECT_EQ(o->reason, Reason::None);
   EXPECT_EQ(o->state, State::Moving) << describe(o);
-  EXPECT_NEAR(o->interval, 0.1, 1e-9);
+  EXPECT_NEAR(o->interval, 0.1, kClockError);
   const Vector3<double> before = film.before(mover);
   const Eigen::Map<const dot::Matrix3<double>> V(o->velocity_covariance.data());
   const Vector3<double> shift = (SE3d::from_row_major(o->T_o) * before - film.T_o(mover) * before) / 0.1;

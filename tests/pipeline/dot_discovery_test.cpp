@@ -100,6 +100,48 @@ TEST(Discovery, FindsWhatCrosses) {
   expect_found(film, 18, 7);
 }
 
+// A host without a network gives no masks at all, not even empty ones: no frame was ever segmented.
+TEST(Discovery, FindsWhatCrossesWhenNoMaskEverComes) {
+  Film<> film = blind_film();
+  film.edit = [](int, Frame& frame) { frame.masks.reset(); };
+  film.camera_path = straight({0, 0, 0}, {0, 0, 1});
+  film.add(parked, straight({2.6, 1.3, 9}));
+  film.add(mover, straight({-3.5, 1.3, 8}, {2.5, 0, 0}));
+  expect_found(film, 18, 7);
+}
+
+// What was segmented before a reset, a gap or a loss of the camera tells nothing of what comes after it.
+TEST(Discovery, GoesOnWithoutTheLastSegmentation) {
+  enum class Break { Reset, Gap, Loss };
+  for (const Break how : {Break::Reset, Break::Gap, Break::Loss}) {
+    SCOPED_TRACE(static_cast<int>(how));
+    Film<> film = blind_film();
+    film.add(mover, straight({-3.5, 1.3, 8}, {1.5, 0, 0}));
+    double shift = 0;
+    film.edit = [&](int i, Frame& frame) {
+      frame.timestamp += shift;
+      if (i > 2) frame.masks.reset();
+    };
+    Dot<> dot = make_dot();
+    const double min_phi = dot.options().camera.min_phi, unexpected = dot.options().camera.min_phi_unexpected;
+    Moving m;
+    for (int i = 0; i < 24; ++i) {
+      if (i == 8 && how == Break::Reset) dot.reset();
+      if (i == 8 && how == Break::Gap) shift = 2;
+      const bool lost = i == 8 && how == Break::Loss;
+      dot.camera_estimator.settings.min_phi = lost ? 2 : min_phi;
+      dot.camera_estimator.settings.min_phi_unexpected = lost ? 2 : unexpected;
+      const Result& result = film.next(dot);
+      if (lost) {
+        EXPECT_EQ(result.camera.status, CameraStatus::Lost);
+      }
+      m = moving_pixels(result, film.truth().ids, mover);
+      EXPECT_LE(m.elsewhere, 0.25 * m.body) << i;
+    }
+    EXPECT_GE(m.on, 0.6 * m.body);
+  }
+}
+
 TEST(Discovery, FindsWhatGoesAway) {
   Film<> film = blind_film();
   film.camera_path = straight({0, 0, 0}, {0, 0, 1});

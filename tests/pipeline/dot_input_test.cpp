@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -16,6 +18,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "dot/pipeline/validate.hpp"
 #include "dot/tracker.hpp"
 #include "support/film.hpp"
 
@@ -119,6 +122,9 @@ const std::vector<BadFrame> bad_frames{
     {"DepthOtherSize", "frame.depth", [](Frame& f, Instance*) { f.depth.width = 80; }},
     {"DepthFormat", "frame.depth", [](Frame& f, Instance*) { f.depth.format = PixelFormat::Grey8; }},
     {"DepthStride", "frame.depth", [](Frame& f, Instance*) { f.depth.stride = 160; }},
+    {"DepthOddStride", "frame.depth: stride", [](Frame& f, Instance*) { f.depth.stride += 2; }},
+    {"DepthUnaligned", "frame.depth: data",
+     [](Frame& f, Instance*) { f.depth.data = static_cast<const char*>(f.depth.data) + 1; }},
     {"DepthNoUnits", "frame.depth",
      [](Frame& f, Instance*) { f.depth.format = PixelFormat::DepthU16, f.depth.depth_units_per_metre = 0; }},
     {"DepthNegativeUnits", "frame.depth",
@@ -127,12 +133,15 @@ const std::vector<BadFrame> bad_frames{
      [](Frame& f, Instance*) { f.depth.format = PixelFormat::DepthU16, f.depth.depth_units_per_metre = nan; }},
     {"TimeNan", "frame.timestamp", [](Frame& f, Instance*) { f.timestamp = nan; }},
     {"TimeInfinite", "frame.timestamp", [](Frame& f, Instance*) { f.timestamp = inf; }},
-    {"TimeEqual", "frame.timestamp", [](Frame& f, Instance*) { f.timestamp = 0.1; }, false},
-    {"TimeBackwards", "frame.timestamp", [](Frame& f, Instance*) { f.timestamp = 0.05; }, false},
+    {"TimeEqual", "frame.timestamp", [](Frame& f, Instance*) { f.timestamp = 1.7e9 + 0.1; }, false},
+    {"TimeBackwards", "frame.timestamp", [](Frame& f, Instance*) { f.timestamp -= 0.15; }, false},
     {"IdsNoWidth", "frame.masks.ids", [](Frame& f, Instance*) { f.masks->ids.width = 0; }},
     {"IdsOtherSize", "frame.masks.ids", [](Frame& f, Instance*) { f.masks->ids.height = 119; }},
     {"IdsFormat", "frame.masks.ids", [](Frame& f, Instance*) { f.masks->ids.format = PixelFormat::DepthF32; }},
     {"IdsStride", "frame.masks.ids", [](Frame& f, Instance*) { f.masks->ids.stride = 639; }},
+    {"IdsOddStride", "frame.masks.ids: stride", [](Frame& f, Instance*) { f.masks->ids.stride = 642; }},
+    {"IdsUnaligned", "frame.masks.ids: data",
+     [](Frame& f, Instance*) { f.masks->ids.data = static_cast<const char*>(f.masks->ids.data) + 2; }},
     {"InstanceWithoutMask", "frame.masks.instances[0]", [](Frame& f, Instance*) { f.masks->ids = {}; }},
     {"InstanceFormat", "frame.masks.instances[1].mask",
      [](Frame&, Instance* i) { i[1].mask.format = PixelFormat::Id16; }},
@@ -143,6 +152,24 @@ const std::vector<BadFrame> bad_frames{
     {"MotionSheared", "frame.camera_motion.T_cur_prev", motion([](dot::CameraMotion& m) { m.T_cur_prev[1] = 0.01; })},
     {"MotionMirrored", "frame.camera_motion.T_cur_prev", motion([](dot::CameraMotion& m) { m.T_cur_prev[0] = -1; })},
     {"MotionCovariance", "frame.camera_motion.covariance", motion([](dot::CameraMotion& m) { m.covariance[8] = inf; })},
+    {"MotionFar", "frame.camera_motion.T_cur_prev", motion([](dot::CameraMotion& m) { m.T_cur_prev[11] = 1e308; })},
+    {"CovarianceNegative", "frame.camera_motion.covariance: element (0, 0)",
+     motion([](dot::CameraMotion& m) { m.covariance[0] = -1e-3; })},
+    {"CovarianceHuge", "frame.camera_motion.covariance: element (2, 2)",
+     motion([](dot::CameraMotion& m) { m.covariance[14] = 1e100; })},
+    {"CovarianceOfAnyRotation", "frame.camera_motion.covariance: element (4, 4)",
+     motion([](dot::CameraMotion& m) { m.covariance[28] = 11; })},
+    {"CovarianceAsymmetric", "frame.camera_motion.covariance: must be sym",
+     motion([](dot::CameraMotion& m) { m.covariance[0] = m.covariance[7] = 1e-4, m.covariance[1] = 1e-5; })},
+    {"CovarianceWithoutVariance", "frame.camera_motion.covariance: must be pos",
+     motion([](dot::CameraMotion& m) { m.covariance[1] = m.covariance[6] = 1e-5; })},
+    {"CovarianceIndefinite", "frame.camera_motion.covariance: must be pos", motion([](dot::CameraMotion& m) {
+       // Each pair of correlations is possible, all three together are not.
+       for (std::size_t i = 0; i < 6; ++i) m.covariance[7 * i] = 1e-4;
+       m.covariance[1] = m.covariance[6] = m.covariance[2] = m.covariance[12] = 0.9e-4;
+       m.covariance[8] = m.covariance[13] = -0.9e-4;
+     })},
+    {"PriorFar", "frame.camera_prior", prior(3, -1e30)},
     {"PriorNan", "frame.camera_prior", prior(7, nan)},
     {"PriorScaled", "frame.camera_prior", prior(5, 1.01)},
 };
@@ -179,6 +206,61 @@ TEST_P(BadFrameTest, IsRefusedByNameAndChangesNothing) {
 INSTANTIATE_TEST_SUITE_P(Input, BadFrameTest, testing::ValuesIn(bad_frames),
                          [](const auto& test) { return std::string(test.param.name); });
 
+// Covariances that are good though no inverse exists, or though they were rounded.
+TEST(Input, DegenerateCovariancesAreTaken) {
+  std::array<double, 36> planar{}, rounded{}, one_direction{};
+  for (const std::size_t i : {0, 2, 4}) planar[7 * i] = 1e-4;
+  const std::array<double, 6> along{0.1, -0.2, 0.05, 1e-3, 0, 2e-3};
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j) {
+      one_direction[6 * i + j] = along[i] * along[j];
+      rounded[6 * i + j] = static_cast<double>(static_cast<float>(along[i] * along[j])) + (i == j ? 1e-12 : 0);
+    }
+  for (const auto& covariance : {planar, rounded, one_direction, std::array<double, 36>{}})
+    EXPECT_EQ(refusal([&] { dot::validate_covariance("covariance", covariance); }), "accepted");
+}
+
+/// A colour image of four or three channels from the frame's grey one, tinted so that the channels differ.
+std::vector<std::uint8_t> coloured(const Image<std::uint8_t>& grey, int channels, int stride) {
+  std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * grey.height()), 0);
+  for (int y = 0; y < grey.height(); ++y)
+    for (int x = 0; x < grey.width(); ++x) {
+      std::uint8_t* pixel = &out[static_cast<std::size_t>(y * stride + channels * x)];
+      pixel[0] = static_cast<std::uint8_t>(grey(x, y) / 2), pixel[1] = grey(x, y);
+      pixel[2] = static_cast<std::uint8_t>(255 - grey(x, y) / 3);
+      if (channels == 4) pixel[3] = 255;
+    }
+  return out;
+}
+
+TEST(Input, FourChannelsSaidToBeThreeAreRefused) {
+  Film<> film = tiny_film();
+  Tracker tracker(tiny_camera());
+  Frame frame = film.advance();
+  const std::vector<std::uint8_t> bgra = coloured(film.seen().grey, 4, 4 * 160);
+  for (const PixelFormat format : {PixelFormat::Bgr8, PixelFormat::Rgb8}) {
+    frame.image = {bgra.data(), 160, 120, 4 * 160, format};
+    EXPECT_EQ(refusal([&] { tracker.track(frame); }).rfind("frame.image: ", 0), 0u);
+  }
+  const std::vector<std::uint8_t> black(bgra.size(), 0);  // nothing tells; then the stride does
+  frame.image = {black.data(), 160, 120, 4 * 160, PixelFormat::Bgr8};
+  EXPECT_EQ(refusal([&] { tracker.track(frame); }).rfind("frame.image: ", 0), 0u);
+  frame.image = {bgra.data(), 160, 120, 4 * 160, PixelFormat::Bgra8};
+  EXPECT_EQ(refusal([&] { tracker.track(frame); }), "accepted");
+}
+
+// Three quarters of a wider image have rows that are four bytes a pixel apart.
+TEST(Input, ACropOfThreeChannelsIsTaken) {
+  Film<> film = tiny_film();
+  Tracker tracker(tiny_camera());
+  for (int i = 0; i < 3; ++i) {
+    Frame frame = film.advance();
+    const std::vector<std::uint8_t> bgr = coloured(film.seen().grey, 3, 4 * 160);
+    frame.image = {bgr.data(), 160, 120, 4 * 160, PixelFormat::Bgr8};
+    EXPECT_EQ(refusal([&] { tracker.track(frame); }), "accepted");
+  }
+}
+
 TEST(Input, TheLastResultOutlivesARefusal) {
   Film<> film = tiny_film();
   Tracker tracker(tiny_camera());
@@ -209,12 +291,12 @@ TEST(Input, EveryOptionMustBeFinite) {
   EXPECT_EQ(refusal([&] { Tracker(tiny_camera(), options); }), "accepted");
 }
 
-TEST(Input, OnlyEntropiesAndADirectionMayBeNegative) {
+TEST(Input, OnlyAnEntropyAndADirectionMayBeNegative) {
   Options options;
   for_each_option(options, [&](const char* name, auto& value) {
     if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, bool>) {
-      const std::string setting = name, room = setting.substr(0, setting.find('.') + 1);
-      const bool may = room == "entropy." || setting.find(".up_") != std::string::npos;
+      const std::string setting = name;
+      const bool may = setting.find("_entropy") != std::string::npos || setting.find(".up_") != std::string::npos;
       const auto good = value;
       value = -1;
       const std::string message = refusal([&] { Tracker(tiny_camera(), options); });
@@ -222,6 +304,75 @@ TEST(Input, OnlyEntropiesAndADirectionMayBeNegative) {
       value = good;
     }
   });
+}
+
+TEST(Input, EveryOptionHasARange) {
+  Options options;
+  int refused = 0;
+  for_each_option_range(options, [&](const char* name, auto& value, dot::OptionRange range) {
+    using Value = std::decay_t<decltype(value)>;
+    EXPECT_LE(range.low, static_cast<double>(value)) << name;
+    EXPECT_GE(range.high, static_cast<double>(value)) << name;
+    if constexpr (!std::is_same_v<Value, bool>) {
+      const Value good = value;
+      const double step = std::is_same_v<Value, int> ? 1 : 1e-6;
+      for (const double bad : {range.low - step * std::max(1.0, std::abs(range.low)), range.high * 1.001 + step}) {
+        value = static_cast<Value>(bad);
+        const std::string message = refusal([&] { Tracker(tiny_camera(), options); });
+        EXPECT_EQ(message.rfind("options." + std::string(name) + ":", 0), 0u)
+            << name << " = " << bad << ": " << message;
+        ++refused;
+      }
+      value = good;
+    }
+  });
+  EXPECT_GT(refused, 120);
+}
+
+// What is in range may be a bad idea, but gives finite numbers.
+TEST(Input, EveryOptionWorksAtTheEndsOfItsRange) {
+  std::vector<Frame> frames;
+  Film<> film = tiny_film();
+  film.degradation.noise = 1;
+  std::vector<Rendering> seen;
+  for (int i = 0; i < 6; ++i) film.advance(), seen.push_back(film.seen());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    Frame frame;
+    frame.timestamp = 1.7e9 + 0.1 * static_cast<double>(i);
+    frame.image = seen[i].image_ref(), frame.depth = seen[i].depth_ref();
+    if (i != 3) frame.masks = dot::Masks{seen[i].ids_ref(), {}};
+    frames.push_back(frame);
+  }
+  const auto all_finite = [](const auto& values) {
+    return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+  };
+  Options options;
+  for (const dot::DepthSource source : {dot::DepthSource::Stereo, dot::DepthSource::Unknown}) {
+    options.depth_noise.source = source;
+    options.discover_unknown = source == dot::DepthSource::Stereo;
+    for_each_option_range(options, [&](const char* name, auto& value, dot::OptionRange range) {
+      const auto good = value;
+      for (const double end : {range.low, range.high}) {
+        const bool refuses_the_masks = std::string(name) == "mask.max_instances" && end < 2;
+        if (refuses_the_masks || std::string(name) == "threads") continue;
+        value = static_cast<std::decay_t<decltype(value)>>(end);
+        SCOPED_TRACE(std::string(name) + " = " + std::to_string(end));
+        const bool decides = options.velocity.decide > 0.5 && options.velocity.decide < 1;
+        if (!decides || options.velocity.keep > options.velocity.decide) continue;  // refused: between the two
+        Tracker tracker(tiny_camera(), options);
+        for (const Frame& frame : frames) {
+          const Result& result = tracker.track(frame);
+          EXPECT_TRUE(all_finite(result.camera.T_cur_prev) && all_finite(result.camera.covariance));
+          for (const dot::ObjectResult& o : result.objects) {
+            EXPECT_TRUE(std::isfinite(o.p_moving) && std::isfinite(o.speed) && std::isfinite(o.entropy));
+            EXPECT_TRUE(all_finite(o.velocity) && all_finite(o.velocity_covariance) && all_finite(o.covariance));
+            EXPECT_TRUE(all_finite(o.fused_velocity) && all_finite(o.fused_covariance) && all_finite(o.T_o));
+          }
+        }
+      }
+      value = good;
+    });
+  }
 }
 
 TEST(Input, OptionsOutOfRangeAreNamed) {
@@ -257,6 +408,11 @@ TEST(Input, OptionsOutOfRangeAreNamed) {
                          {"max_gap", -1},
                          {"threads", 0},
                          {"camera.search_turn", -1e-6},
+                         {"velocity.v0", 1e-12},
+                         {"velocity.tail_share", 1.5},
+                         {"object.min_inlier_share", 2},
+                         {"selection.min_gradient", 1e6},
+                         {"mask.max_instances", 0},
                          {"mask.late_seconds", -0.1}}) {
     Options options;
     bool found = false;
@@ -279,6 +435,11 @@ TEST(Input, BadIntrinsicsAreNamed) {
   };
   const std::vector<Bad> cases{{"fx", [](Intrinsics& c) { c.fx = 0; }},
                                {"fx", [](Intrinsics& c) { c.fx = nan; }},
+                               {"fx", [](Intrinsics& c) { c.fx = 1e-300; }},
+                               {"fy", [](Intrinsics& c) { c.fy = 1e300; }},
+                               {"cx", [](Intrinsics& c) { c.cx = -1e300; }},
+                               {"width", [](Intrinsics& c) { c.width = 1 << 30; }},
+                               {"baseline", [](Intrinsics& c) { c.baseline = 1e-300; }},
                                {"fy", [](Intrinsics& c) { c.fy = -100; }},
                                {"fy", [](Intrinsics& c) { c.fy = inf; }},
                                {"cx", [](Intrinsics& c) { c.cx = nan; }},

@@ -361,4 +361,57 @@ TEST(LateMasks, AreAcceptedOnce) {
   EXPECT_THROW(LateNetwork::submit(tracker, 4, film.seen().ids), std::invalid_argument);
 }
 
+// The newest frame's masks, and those of one before it, on clocks that resolve a nanosecond or a quarter of a
+// microsecond.
+TEST(LateMasks, DoNotDependOnTheClock) {
+  for (const std::uint64_t at : {3u, 2u}) {
+    std::vector<std::uint8_t> expected;
+    for (const double epoch : {0.0, 1.7e9}) {
+      Film<> film = street();
+      film.epoch = epoch;
+      film.edit = [](int, Frame& frame) { frame.masks.reset(); };
+      Tracker tracker(small_camera());
+      Image<std::uint32_t> ids;
+      for (std::uint64_t i = 0; i < 4; ++i) {
+        film.next(tracker);
+        if (i == at) ids = film.seen().ids;
+      }
+      LateNetwork::submit(tracker, at, ids);
+      EXPECT_THROW(LateNetwork::submit(tracker, at, ids), std::invalid_argument) << epoch;
+      for (int i = 4; i < 10; ++i) {
+        const Result& result = film.next(tracker);
+        EXPECT_EQ(result.camera.status, dot::CameraStatus::Tracked) << epoch << " frame " << i;
+        EXPECT_GT(iou(film, result, parked), 0.85) << epoch << " frame " << i;
+        EXPECT_GT(iou(film, result, mover), 0.7) << epoch << " frame " << i;
+        if (i < 9) continue;
+        if (epoch == 0) expected = pixels(result);
+        EXPECT_TRUE(pixels(result) == expected) << "the labels depend on the clock";
+      }
+    }
+  }
+}
+
+// Memory is bounded by frames as well as by time: a fast camera fills a second with hundreds of frames.
+TEST(LateMasks, AreAwaitedForSoManyFrames) {
+  Film<> film = street();
+  film.interval = 1 / 240.0;
+  film.edit = [](int, Frame& frame) { frame.masks.reset(); };
+  Options options;
+  options.mask.late_frames = 5;
+  Tracker tracker(small_camera(), options);
+  Image<std::uint32_t> ids;
+  for (int i = 0; i < 12; ++i) {
+    film.next(tracker);
+    if (i == 7) ids = film.seen().ids;
+  }
+  try {
+    LateNetwork::submit(tracker, 6, ids);
+    FAIL() << "was accepted";
+  } catch (const std::invalid_argument& e) {
+    EXPECT_EQ(std::string(e.what()).rfind("frame_id: 6 is none of the frames", 0), 0u) << e.what();
+  }
+  EXPECT_NO_THROW(LateNetwork::submit(tracker, 7, ids));
+  EXPECT_EQ(film.next(tracker).objects.size, 2u);
+}
+
 }  // namespace

@@ -90,7 +90,7 @@ TEST_P(CameraMotion, IsRecovered) {
       continue;
     }
     ASSERT_EQ(result.camera.status, CameraStatus::Tracked);
-    EXPECT_NEAR(result.interval, 0.1, 1e-9);
+    EXPECT_NEAR(result.interval, 0.1, kClockError);
     const Vector6<double> e = error_of(result.camera.T_cur_prev, film.T_c());
     EXPECT_LT(100 * e.head<3>().norm(), c.max_cm);
     EXPECT_LT(e.tail<3>().norm() / degree, c.max_degrees);
@@ -155,7 +155,7 @@ TEST(Object, MotionIsRecovered) {
       EXPECT_LT(w.norm(), 1.5 * degree);
       EXPECT_NEAR(o->speed, id == mover ? 2 : 0, 0.2);
       EXPECT_NEAR(o->range, film.before(id).z(), 1.0);
-      EXPECT_NEAR(o->interval, 0.1, 1e-9);
+      EXPECT_NEAR(o->interval, 0.1, kClockError);
       EXPECT_GE(o->n_points, o->n_inliers);
       EXPECT_GT(o->phi, 0.8);
       if (id == mover) {
@@ -403,7 +403,7 @@ TEST(Time, AGapDropsReferencesAndKeepsIds) {
     const Result& result = film.next(dot);
     SCOPED_TRACE(i);
     EXPECT_EQ(result.camera.status, i == 0 || i == 6 ? CameraStatus::FirstFrame : CameraStatus::Tracked);
-    EXPECT_NEAR(result.interval, i == 0 || i == 6 ? 0 : 0.1, 1e-9);
+    EXPECT_NEAR(result.interval, i == 0 || i == 6 ? 0 : 0.1, kClockError);
     for (const std::uint32_t id : {parked, mover}) {
       const ObjectResult* o = object_on(result, film.truth().ids, id);
       SCOPED_TRACE(describe(o));

@@ -103,4 +103,38 @@ TEST(RecyclingList, LeavesElementsWhereTheyAre) {
   EXPECT_EQ(&list.back(), &first);
 }
 
+TEST(RecyclingList, ThinsFramesThatComeFasterThanTheSpanNeeds) {
+  struct Timed {
+    double timestamp = 0;
+  };
+  for (const double interval : {1e-6, 1e-3, 1 / 240.0}) {
+    dot::RecyclingList<Timed> list;
+    const int frames = static_cast<int>(0.4 / interval) > 5000 ? 5000 : static_cast<int>(2 / interval);
+    for (int i = 0; i < frames; ++i) {
+      dot::thin_newest(list, 0.4);
+      list.push_front().timestamp = i * interval;
+      while (i * interval - list.back().timestamp > 0.4) list.pop_back();
+      ASSERT_LE(list.size(), 35u) << interval;
+      ASSERT_EQ(list[0].timestamp, i * interval);
+      if (i > 0) {
+        ASSERT_LE(list[0].timestamp - list[1].timestamp, 0.4 / 32 + 2 * interval);
+      }
+    }
+  }
+}
+
+TEST(RecyclingList, ThinsNothingAtUsualFrameRates) {
+  struct Timed {
+    double timestamp = 0;
+  };
+  for (const double interval : {0.2, 0.1, 1 / 30.0, 1 / 60.0}) {
+    dot::RecyclingList<Timed> list;
+    for (int i = 0; i < 20; ++i) {
+      dot::thin_newest(list, 0.4);
+      list.push_front().timestamp = i * interval;
+    }
+    EXPECT_EQ(list.size(), 20u) << interval;
+  }
+}
+
 }  // namespace

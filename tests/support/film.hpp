@@ -18,6 +18,9 @@
 
 namespace dot::test {
 
+/// By how much an interval between two timestamps of a Unix clock may be off, seconds: a double resolves 0.24 us there.
+constexpr double kClockError = 1e-6;
+
 /// Where something is at a time in seconds.
 using Path = std::function<SE3d(double)>;
 
@@ -56,6 +59,7 @@ class Film {
   Path camera_path = straight(Vector3<double>::Zero());
   Degradation degradation;  ///< its seed is advanced with each frame
   double interval = 0.1;    ///< seconds between frames
+  double epoch = 1.7e9;     ///< seconds, timestamp of frame 0: a Unix clock, as most hosts have
 
   std::function<void(int, Scene&)> direct;     ///< changes the scene of a frame before it is rendered
   std::function<void(int, Rendering&)> spoil;  ///< changes the pixels of a frame
@@ -79,7 +83,7 @@ class Film {
     if (spoil) spoil(index_, seen_);
     frame_ = {};
     frame_.id = static_cast<std::uint64_t>(index_);
-    frame_.timestamp = time(index_);
+    frame_.timestamp = epoch + time(index_);
     frame_.image = seen_.image_ref();
     frame_.depth = seen_.depth_ref();
     frame_.masks = Masks{};

@@ -13,8 +13,8 @@
 ///
 /// Structs. Every struct but dot_setting starts with `struct_size`, which the caller sets to its sizeof, for inputs and
 /// for outputs: `dot_frame frame = DOT_FRAME_INIT;`, or in C99 `{.struct_size = sizeof frame}`. Structs grow at their
-/// end only; a field that an older caller does not have counts as zero. A size that this library does not know (0, or
-/// of a newer header) is an error.
+/// end only; a field that an older caller does not have counts as zero. A size that is not that of a published header
+/// (0, of a newer header, or one that cuts a field in half) is an error.
 ///
 /// Errors. Functions return DOT_OK or a negative status; the text, which names the field at fault, is in
 /// dot_last_error, for functions without a tracker in dot_create_error. Nothing aborts, exits, throws or prints.
@@ -102,7 +102,8 @@ enum {
   DOT_REASON_IMPLAUSIBLE = 12,  ///< faster than the setting object.max_speed
   DOT_REASON_HIDDEN = 13,       ///< neither its prediction nor a mask shows it
   DOT_REASON_CAMERA_LOST = 14,
-  DOT_REASON_LOST = 15  ///< not seen for too long: dropped after this frame
+  DOT_REASON_LOST = 15,             ///< not seen for too long: dropped after this frame
+  DOT_REASON_TOO_MANY_OBJECTS = 16  ///< not among the largest, setting "object.max_fitted": carried on as it moved last
 };
 
 /// dot_camera_result.status.
@@ -256,6 +257,8 @@ typedef struct dot_camera_result {
   double residual_sigma;       ///< grey values, robust
   double normalised_variance;  ///< of the residuals over their predicted sigma; near 1 when honest
   double masked_share;         ///< 0 to 1: of the image, what the default policy excludes, before it is widened
+  int32_t small_instances;     ///< of this frame's masks: without a track, too small to start one (mask.min_pixels)
+  uint32_t reserved;           ///< 0
 } dot_camera_result;
 
 /// One object in one frame.
@@ -323,7 +326,7 @@ typedef void (*dot_log_function)(void* user, uint32_t level, const char* text);
 #define DOT_FRAME_INIT \
   { sizeof(dot_frame), 0, 0, 0, 0, 0, 0, 0, 0 }
 #define DOT_CAMERA_RESULT_INIT \
-  { sizeof(dot_camera_result), 0, 0, 0, 0, 0, 0, {0}, {0}, 0, 0, 0, 0, 0, 0 }
+  { sizeof(dot_camera_result), 0, 0, 0, 0, 0, 0, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, 0 }
 #define DOT_OBJECT_INIT                                                                                              \
   {                                                                                                                  \
     sizeof(dot_object), 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}, 0, 0, 0, {0}, {0}, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, {0}, { 0 } \

@@ -105,11 +105,15 @@ struct DirectAligner {
 
   /// Takes outliers by their distance to the fitted line between intensities (paper, section 3.4), refines once more on
   /// level 0, and fills the statistics.
+  /// @param just_aligned `a` is what the last call on this aligner returned: points that it excluded do not count for
+  /// the residual scale. Otherwise all do: those that another alignment excluded say nothing of this one.
   template <typename Camera>
-  void finish(const AlignProblem<Camera>& problem, Alignment& a) {
+  void finish(const AlignProblem<Camera>& problem, Alignment& a, bool just_aligned = false) {
+    const auto size = static_cast<std::size_t>(problem.points.size());
+    if (!just_aligned || excluded_.size() != size) excluded_.assign(size, 0);
     residuals(problem, 0, a.state, a.sigma_intensity);
     a.sigma_intensity = scale_of_residuals(a.sigma_intensity);
-    excluded_.assign(static_cast<std::size_t>(problem.points.size()), 0);
+    std::fill(excluded_.begin(), excluded_.end(), std::uint8_t{0});
     const PointResiduals& p = residuals_;
     const auto r2 = [&](std::size_t i) { return sq(static_cast<double>(p.r[i])); };
     const auto s2 = [&](std::size_t i) { return sq(a.sigma_intensity) + static_cast<double>(p.extra[i]); };

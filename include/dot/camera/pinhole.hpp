@@ -16,13 +16,15 @@ inline void validate(const Intrinsics& camera) {
   const auto require = [](bool valid, const char* message) {
     if (!valid) throw std::invalid_argument(message);
   };
-  require(std::isfinite(camera.fx) && camera.fx > 0, "intrinsics.fx must be finite and > 0");
-  require(std::isfinite(camera.fy) && camera.fy > 0, "intrinsics.fy must be finite and > 0");
-  require(std::isfinite(camera.cx), "intrinsics.cx must be finite");
-  require(std::isfinite(camera.cy), "intrinsics.cy must be finite");
-  require(camera.width >= 16, "intrinsics.width must be >= 16");
-  require(camera.height >= 16, "intrinsics.height must be >= 16");
-  require(std::isfinite(camera.baseline) && camera.baseline >= 0, "intrinsics.baseline must be finite and >= 0");
+  // Beyond these no lens is, and products of them leave the range of a float.
+  require(camera.fx >= 1 && camera.fx <= 1e6, "intrinsics.fx must be 1 to 1e6 pixels");
+  require(camera.fy >= 1 && camera.fy <= 1e6, "intrinsics.fy must be 1 to 1e6 pixels");
+  require(std::abs(camera.cx) <= 1e6, "intrinsics.cx must be finite, at most 1e6 pixels");
+  require(std::abs(camera.cy) <= 1e6, "intrinsics.cy must be finite, at most 1e6 pixels");
+  require(camera.width >= 16 && camera.width <= 32768, "intrinsics.width must be 16 to 32768");
+  require(camera.height >= 16 && camera.height <= 32768, "intrinsics.height must be 16 to 32768");
+  require(camera.baseline == 0 || (camera.baseline >= 1e-4 && camera.baseline <= 1e3),
+          "intrinsics.baseline must be 0 or 1e-4 to 1e3 metres");
 }
 
 /// Intrinsics of a level of the pyramid of 2x2 means; a pixel u of level 0 is at (u + 0.5) / 2^level - 0.5 there.

@@ -70,4 +70,10 @@ constexpr int bytes_per_pixel(PixelFormat format) {
   return 0;
 }
 
+/// Bytes of the number type that a pixel of `format` consists of: what data and stride are aligned to.
+constexpr int bytes_per_element(PixelFormat format) {
+  const bool bytes = format == PixelFormat::Bgr8 || format == PixelFormat::Rgb8 || format == PixelFormat::Bgra8;
+  return bytes ? 1 : bytes_per_pixel(format);
+}
+
 }  // namespace dot

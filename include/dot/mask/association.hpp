@@ -3,12 +3,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "dot/abi.hpp"
-#include "dot/mask/hungarian.hpp"
 #include "dot/mask/mask.hpp"
 #include "dot/mask/settings.hpp"
+#include "dot/mask/sparse_assignment.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -16,13 +17,6 @@ DOT_BEGIN_NAMESPACE
 struct Outline {
   const Mask* mask = nullptr;
   double inverse_depth = 0;  ///< 1/m, median; 0 where it is not known
-};
-
-/// Buffers of `associate`.
-struct AssociationWorkspace {
-  std::vector<double> cost;   ///< of each pair
-  std::vector<char> allowed;  ///< whether it may be one
-  AssignWorkspace assignment;
 };
 
 /// Which predicted outline each observed one continues: the assignment that minimises the sum of 1 - IoU, over pairs
@@ -35,13 +29,10 @@ struct AssociationWorkspace {
 /// broken up for the sake of two poor ones.
 /// @return for each observed mask the index of its predicted one, or -1; in `workspace`, valid until its next use.
 inline const std::vector<int>& associate(const std::vector<Outline>& predicted, const std::vector<Outline>& observed,
-                                         const MaskSettings& settings, AssociationWorkspace& workspace) {
-  const std::size_t n = predicted.size();
-  auto& [cost, allowed, assignment] = workspace;
-  cost.assign(observed.size() * n, 1);
-  allowed.assign(cost.size(), 0);
+                                         const MaskSettings& settings, SparseAssignWorkspace& workspace) {
+  workspace.pairs.clear();
   for (std::size_t i = 0; i < observed.size(); ++i) {
-    for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t j = 0; j < predicted.size(); ++j) {
       const Mask &a = *observed[i].mask, &b = *predicted[j].mask;
       const int both = overlap(a, b);
       if (both == 0) continue;
@@ -51,14 +42,10 @@ inline const std::vector<int>& associate(const std::vector<Outline>& predicted, 
       const double q = observed[i].inverse_depth, expected = predicted[j].inverse_depth;
       const bool apart = q > 0 && expected > 0 && std::max(q, expected) > 2 * std::min(q, expected);
       if (apart && share < 2 * settings.min_iou) continue;
-      cost[i * n + j] = 1 - share;
-      allowed[i * n + j] = 1;
+      workspace.pairs.push_back({static_cast<int>(i), static_cast<int>(j), 1 - share});
     }
   }
-  std::vector<int>& partner = assign(cost, static_cast<int>(observed.size()), static_cast<int>(n), assignment);
-  for (std::size_t i = 0; i < partner.size(); ++i)
-    if (partner[i] >= 0 && !allowed[i * n + static_cast<std::size_t>(partner[i])]) partner[i] = -1;
-  return partner;
+  return assign(static_cast<int>(observed.size()), static_cast<int>(predicted.size()), 1, workspace);
 }
 
 DOT_END_NAMESPACE

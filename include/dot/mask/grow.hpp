@@ -18,6 +18,7 @@ DOT_BEGIN_NAMESPACE
 
 /// What the last segmentation saw: against it later pixels are told to be new.
 struct SegmentedFrame {
+  bool known = false;          ///< there was one, and the camera's motion since is known
   Image<float> inverse_depth;  ///< 1/m, <= 0 or not finite = no measurement
   Image<std::uint32_t> ids;    ///< of the objects shown there, 0 = background
 };

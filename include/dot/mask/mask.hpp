@@ -134,13 +134,14 @@ inline void mask_of(const ImageRef& image, int x, int y, int frame_width, int fr
       [&view, x, y](int v) { return [row = view.row(v - y), x](int u) { return row[u - x] != 0; }; }, out);
 }
 
-/// Buffers of split_ids.
-struct SplitWorkspace {
+/// The runs of an id image, in the order of ids.
+struct IdRuns {
   struct Run {
     std::uint32_t id;
     int y, begin, end;  ///< pixels [begin, end) of row y
   };
   std::vector<Run> runs;
+  std::size_t instances = 0;  ///< ids among them
 };
 
 namespace id_runs {
@@ -161,7 +162,7 @@ int end_of_run(const T* row, int begin, int width) {
 }
 
 template <typename T>
-void collect(const ImageRef& ids, std::vector<SplitWorkspace::Run>& runs) {
+void collect(const ImageRef& ids, std::vector<IdRuns::Run>& runs) {
   const ImageView<const T> view{static_cast<const T*>(ids.data), ids.width, ids.height, ids.stride};
   for (int y = 0; y < view.height; ++y) {
     const T* row = view.row(y);
@@ -174,12 +175,10 @@ void collect(const ImageRef& ids, std::vector<SplitWorkspace::Run>& runs) {
 
 }  // namespace id_runs
 
-/// All instances of an id image with their masks, ids ascending, 0 left out. The image is read once.
-/// @param add (id) -> Mask&, to be filled in
+/// Reads an id image, once; 0 is left out.
 /// @throws std::invalid_argument unless the format is Id8, Id16 or Id32.
-template <typename Add>
-void split_ids(const ImageRef& ids, SplitWorkspace& workspace, Add&& add) {
-  auto& runs = workspace.runs;
+inline void find_runs(const ImageRef& ids, IdRuns& out) {
+  auto& runs = out.runs;
   runs.clear();
   switch (ids.format) {
     case PixelFormat::Id8: id_runs::collect<std::uint8_t>(ids, runs); break;
@@ -187,10 +186,18 @@ void split_ids(const ImageRef& ids, SplitWorkspace& workspace, Add&& add) {
     case PixelFormat::Id32: id_runs::collect<std::uint32_t>(ids, runs); break;
     default: throw std::invalid_argument("masks.ids.format must be Id8, Id16 or Id32");
   }
-  std::sort(runs.begin(), runs.end(), [](const SplitWorkspace::Run& a, const SplitWorkspace::Run& b) {
+  std::sort(runs.begin(), runs.end(), [](const IdRuns::Run& a, const IdRuns::Run& b) {
     return std::tie(a.id, a.y, a.begin) < std::tie(b.id, b.y, b.begin);
   });
+  out.instances = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) out.instances += i == 0 || runs[i].id != runs[i - 1].id;
+}
 
+/// The masks of all instances of an id image, ids ascending.
+/// @param add (id) -> Mask&, to be filled in
+template <typename Add>
+void split_ids(const IdRuns& ids, Add&& add) {
+  const auto& runs = ids.runs;
   for (auto first = runs.begin(), last = first; first != runs.end(); first = last) {
     int left = first->begin, right = first->end, area = 0;
     for (last = first; last != runs.end() && last->id == first->id; ++last) {

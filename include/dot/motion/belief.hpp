@@ -29,7 +29,14 @@ DOT_BEGIN_NAMESPACE
 /// credits to speeds inside |v| <= v0 is taken away again: such an object does not move. A Bayes factor of proper
 /// densities does not drift to *moves* where the velocity is poorly measured, which a ratio of maximum likelihoods
 /// does.
+///
+/// Time counts, not frames. Fits of frames that follow each other closely share most of their errors: those of
+/// kIndependentSeconds say together what one says, so that the same second gives the same belief at any frame rate.
+/// Nothing that is not finite changes a belief.
 struct Belief {
+  static constexpr double kIndependentSeconds = 0.1;   ///< after which the errors of two fits are independent
+  static constexpr double kAccelerationSeconds = 0.1;  ///< for which an acceleration lasts
+
   double log_odds = 0;
   Vector3<double> velocity = Vector3<double>::Zero();    ///< if it moves; m/s, axes of the newest camera
   Matrix3<double> covariance = Matrix3<double>::Zero();  ///< zero: no filter yet
@@ -44,13 +51,25 @@ struct Belief {
     const double q = p * (1 - change) + (1 - p) * change;
     log_odds = std::log(q / (1 - q));
     if (!has_velocity()) return;
-    covariance += Matrix3<double>::Identity() * (s.acceleration * dt) * (s.acceleration * dt);
+    // Accelerations that last for tau: the variance grows by a^2 tau a second.
+    covariance += Matrix3<double>::Identity() * sq(s.acceleration) * kAccelerationSeconds * dt;
     velocity = R_cur_prev * velocity;
     covariance = R_cur_prev * covariance * R_cur_prev.transpose();
   }
 
   /// Weighs a velocity in the axes of the belief. @param v0 m/s, of the object's range.
   void update(const MotionEstimate& e, double v0, const VelocitySettings& s) {
+    const bool has_interval = e.interval > 0 && std::isfinite(e.interval) && e.intervals > 0;
+    if (!has_interval || !e.velocity.allFinite() || !e.covariance.allFinite()) return;
+    Belief after = *this;
+    after.weigh(e, v0, s);
+    if (std::isfinite(after.log_odds) && after.velocity.allFinite() && after.covariance.allFinite()) *this = after;
+  }
+
+ private:
+  static double sq(double x) { return x * x; }
+
+  void weigh(const MotionEstimate& e, double v0, const VelocitySettings& s) {
     const Vector3<double>& v = e.velocity;
     const Matrix3<double>& V = e.covariance;
     const Matrix3<double> I = Matrix3<double>::Identity();
@@ -75,22 +94,22 @@ struct Belief {
     stands = (1 - s.outliers) * stands + outlier;
     moves = (1 - s.outliers) * moves + outlier;
 
-    const double cap = std::min(s.max_evidence_rate * e.interval / e.intervals, s.max_evidence);
-    const double evidence = (std::log(moves + 1e-300) - std::log(stands + 1e-300)) / std::sqrt(e.intervals);
+    // Fits that reach back over the same time say the same: of one over `interval`, a frame brings its share.
+    const double frame = e.interval / e.intervals;
+    const double share = std::min(1.0, frame / std::sqrt(kIndependentSeconds * e.interval));
+    const double cap = std::min(s.max_evidence_rate * frame, s.max_evidence);
+    const double evidence = share * (std::log(moves + 1e-300) - std::log(stands + 1e-300));
     log_odds = std::clamp(log_odds + std::clamp(evidence, -cap, cap), -s.max_log_odds, s.max_log_odds);
 
     // The filter: restarted where fits contradict it.
     const bool agrees = has_velocity() && (v - velocity).dot((V + covariance).ldlt().solve(v - velocity)) <= 25;
-    if (!trust.accept(agrees)) return;
+    if (!trust.accept(agrees, frame)) return;
     if (!agrees) velocity.setZero(), covariance = 25 * speed2 * I;
-    const Matrix3<double> K = covariance * (covariance + V).inverse();
+    const Matrix3<double> K = covariance * (covariance + std::max(1.0, kIndependentSeconds / frame) * V).inverse();
     velocity += K * (v - velocity);
     covariance = (I - K) * covariance;
     covariance = 0.5 * (covariance + covariance.transpose()).eval();
   }
-
- private:
-  static double sq(double x) { return x * x; }
 
   static double density(const Vector3<double>& x, const Matrix3<double>& S) {
     const Eigen::LDLT<Matrix3<double>> ldlt(S);

@@ -26,6 +26,7 @@ struct ObjectSettings {
   double max_acceleration = 12;      ///< m/s^2
   double search_speed = 30;          ///< m/s: reach of the velocity hypotheses of a new object
   double reference_seconds = 0.4;    ///< age of the oldest reference used for slow objects
+  int max_fitted = 100;              ///< objects whose motion is estimated, the largest; others are carried on
 };
 
 /// Priors of an object's motion between frames; rates per second. Generic: nothing about roads.

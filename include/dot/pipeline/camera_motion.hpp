@@ -193,7 +193,7 @@ struct CameraMotionEstimator {
   Alignment best(const AlignProblem<Camera>& problem, std::vector<Alignment>& candidates, Aligner& aligner,
                  MinimaWorkspace& workspace) const {
     if (candidates.size() == 1) {
-      aligner.finish(problem, candidates[0]);
+      aligner.finish(problem, candidates[0], true);
       return candidates[0];
     }
     double sigma = std::numeric_limits<double>::infinity();

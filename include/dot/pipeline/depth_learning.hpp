@@ -13,6 +13,7 @@
 #include "dot/camera/depth_noise.hpp"
 #include "dot/image/image.hpp"
 #include "dot/lie/se3.hpp"
+#include "dot/pipeline/recycling_list.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -46,6 +47,10 @@ struct DepthLearning {
     std::vector<float> said;
     std::size_t next = 0;
 
+    void clear() noexcept {
+      said.clear();
+      next = 0;
+    }
     void add(float v) {
       if (said.size() < kFrames)
         said.push_back(v);
@@ -67,15 +72,15 @@ struct DepthLearning {
   };
 
   double reference_seconds = 0.4;
-  std::vector<Patches> history;  ///< newest first
+  RecyclingList<Patches> history;  ///< newest first
   Scale change, common, pixel;
 
   /// Drops what was seen, keeps what was learnt.
-  void clear() { drop(0); }
+  void clear() noexcept { history.clear(); }
   /// Drops both.
-  void forget() {
+  void forget() noexcept {
     clear();
-    change = common = pixel = {};
+    change.clear(), common.clear(), pixel.clear();
     first_ = 0;
   }
 
@@ -84,8 +89,8 @@ struct DepthLearning {
   template <typename Camera>
   void remember(const Camera& camera, const Image<float>& inverse_depth, const Image<std::uint8_t>& background,
                 double timestamp, const DepthBias& bias = {}) {
-    Patches p;
-    if (!spare_.empty()) p = std::move(spare_.back()), spare_.pop_back();
+    thin_newest(history, reference_seconds);
+    Patches& p = history.push_front();
     p.x.clear(), p.y.clear(), p.q.clear(), p.begin.clear(), p.place.clear();
     p.timestamp = timestamp;
     p.bias = bias;
@@ -114,9 +119,7 @@ struct DepthLearning {
         }
       }
     p.begin.push_back(static_cast<int>(p.q.size()));
-    history.insert(history.begin(), std::move(p));
-    while (history.size() > 1 && timestamp - history.back().timestamp > reference_seconds + 1e-6)
-      drop(history.size() - 1);
+    while (history.size() > 1 && timestamp - history.back().timestamp > reference_seconds + 1e-6) history.pop_back();
   }
 
   /// Compares the new frame with the newest and the oldest remembered one, and scales `noise`.
@@ -198,11 +201,6 @@ struct DepthLearning {
                            std::sqrt(2.0) / noise.prior_pixel(middle)));
   }
 
-  /// All but the newest `count` frames; their memory serves the next ones.
-  void drop(std::size_t count) {
-    for (; history.size() > count; history.pop_back()) spare_.push_back(std::move(history.back()));
-  }
-
   static float quantile(float* values, std::size_t size, double share) {
     float* const k = values + static_cast<std::ptrdiff_t>(share * static_cast<double>(size - 1));
     std::nth_element(values, k, values + size);
@@ -211,7 +209,6 @@ struct DepthLearning {
   static float median(float* values, std::size_t size) { return quantile(values, size, 0.5); }
 
   int first_ = 0;  ///< patch of the first row
-  std::vector<Patches> spare_;
   std::vector<float> differences_, medians_, scatters_, motion_;
 };
 

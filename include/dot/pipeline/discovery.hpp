@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <vector>
 
 #include "dot/align/inconsistency.hpp"
@@ -12,6 +11,7 @@
 #include "dot/image/pyramid.hpp"
 #include "dot/mask/region_grower.hpp"
 #include "dot/mask/region_painter.hpp"
+#include "dot/pipeline/recycling_list.hpp"
 #include "dot/points/supporting_planes.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -31,7 +31,7 @@ class Discovery {
   double reference_seconds = 0.4;
   std::vector<Mask> masks;  ///< of the regions of this frame
 
-  void clear() {
+  void clear() noexcept {
     history_.clear();
     seen_.resize(0, 0);
     planes_.clear();
@@ -94,11 +94,9 @@ class Discovery {
 
   /// Keeps the frame of the last `find` as a reference. @param ids of the tracks shown, 0 = background.
   void remember(const Image<std::uint32_t>& ids, double timestamp) {
-    Reference r;
-    while (!history_.empty() && timestamp - history_.back().timestamp > reference_seconds + 1e-6) {
-      r = std::move(history_.back());  // for its memory
-      history_.pop_back();
-    }
+    while (!history_.empty() && timestamp - history_.back().timestamp > reference_seconds + 1e-6) history_.pop_back();
+    thin_newest(history_, reference_seconds);
+    Reference& r = history_.push_front();
     r.motion = {};
     r.timestamp = timestamp;
     std::swap(r.frame, current_);
@@ -107,7 +105,6 @@ class Discovery {
     for (int y = 0; y < r.standing.height(); ++y)
       for (int x = 0; x < r.standing.width(); ++x)
         if (ids(x * cell, y * cell) || ids(x * cell + cell - 1, y * cell + cell - 1)) r.standing(x, y) = 0;
-    history_.push_front(std::move(r));
   }
 
  private:
@@ -178,7 +175,7 @@ class Discovery {
 
   int level_ = 0;
   CellFrame current_;
-  std::deque<Reference> history_;  ///< newest first
+  RecyclingList<Reference> history_;  ///< newest first
   InconsistencyTest<Camera, Noise> test_;
   Inconsistency inconsistency_;
   SupportingPlanes planes_;

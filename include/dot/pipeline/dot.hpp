@@ -82,7 +82,7 @@ class Dot {
   void submit_masks(std::uint64_t frame_id, const Masks& masks);
 
   /// Forgets all frames and objects; keeps buffers and never reuses an id.
-  void reset();
+  void reset() noexcept;
 
   const Options& options() const { return options_; }
 
@@ -126,21 +126,13 @@ class Dot {
     Vector3<double> centre = Vector3<double>::Zero();  ///< as `anchor` says
   };
 
-  /// Half a frame is no state to go on from: what is not done is undone by forgetting all.
-  struct ResetUnlessDone {
-    Dot& dot;
-    bool done = false;
-    ~ResetUnlessDone() {
-      if (!done) dot.reset();
-    }
-  };
-
   /// What a thread works with.
   struct Worker {
     Aligner aligner;
     MinimaWorkspace minima;
     std::vector<SE3d> starts;
-    ObjectReference here;  ///< the object that `look_back` looks at
+    std::vector<std::pair<double, const Observed*>> nearest;  ///< masks without a track, with squared distances
+    ObjectReference here;                                     ///< the object that `look_back` looks at
     WarpWorkspace warp;
     WarpedMask moved;  ///< not trimmed
     HiddenPart hidden;
@@ -151,12 +143,18 @@ class Dot {
   /// The previous frame, which the history has if its masks may still come.
   const Current& before() { return history_.empty() ? previous_ : std::prev(history_.end())->frame; }
 
+  template <typename Body>
+  void reset_unless_done(Body&& body);
+  void label_objects(const Frame& frame);
+  void forget_background() noexcept;
   void build(const Frame& frame);
   void camera_motion(const Frame& frame);
+  void guess_camera_motion();
   void learn_depth();
   void predict_tracks();
   void predict(TrackT& t, Worker& worker);
   void warp_outline(TrackT& object, const SE3d& T_frame_outline, const Image<float>& inverse_depth, Worker& worker);
+  void count_instances(const char* field, const Masks& masks);
   void read_masks(const Masks& masks, const Image<float>& inverse_depth);
   void discover();
   Noise bounded_noise() const;
@@ -174,7 +172,7 @@ class Dot {
   static bool may_touch(const TrackT& a, const TrackT& b);
   void follow(TrackT& object, Worker& worker);
   KnownVelocity known_velocity(const TrackT& object, const ObjectReference& r) const;
-  void set_starts(const TrackT& object, const ObjectReference& reference, std::vector<SE3d>& starts) const;
+  void set_starts(const TrackT& object, const ObjectReference& reference, Worker& worker) const;
   Vector3<double> anchor(const Mask& mask, const Image<float>& inverse_depth, Worker& worker) const;
   void advance(TrackT& object, Worker& worker);
   void match(const std::vector<TrackT*>& tracks);
@@ -184,6 +182,7 @@ class Dot {
   void find_again();
   void follow_and_decide(std::vector<TrackT*>& tracks);
   void start_tracks();
+  void choose_followed();
   void look_back(TrackT& object, Worker& worker);
   void decide(TrackT& object, const Matrix3<double>& R_cur_fit, double dt);
   void place_masks();
@@ -212,6 +211,7 @@ class Dot {
   Reason make_reference(const Current& frame, const Mask& mask, const Vector3<double>& centre, Worker& worker,
                         ObjectReference& r) const;
   void await_masks(const Frame& frame);
+  void apply_late_masks(Past& then, const Masks& masks);
   SE3d T_cur_then(const TrackT& object, const Past& then) const;
   void adopt(TrackT& object, const Past& then);
   void renew_reference(TrackT& object, const Past& then, const Mask& mask, const Vector3<double>& centre);
@@ -219,13 +219,15 @@ class Dot {
   void write_result(const Frame& frame);
   void take_time(Stage stage);
 
-  static constexpr int kReach = 32;                  ///< pixels that even a small object may move unexpectedly
-  static constexpr double kMaxLearntScale = 3;       ///< of the shared depth noise, over its prior
-  static constexpr int kMaxConfirmed = 5;            ///< fits that agree, beyond which no more are counted
-  static constexpr float kSameSurface = 0.05f;       ///< relative difference of inverse depth
-  static constexpr double kMinSupport = 0.15;        ///< of a discovered object, share of its mask
-  static constexpr double kSupportSeconds = 0.3;     ///< over which it is smoothed
-  static constexpr double kCandidateSeconds = 0.25;  ///< what was discovered must be seen again by then
+  static constexpr std::ptrdiff_t kNearestMasks = 3;   ///< without a track, tried as starts of an object's motion
+  static constexpr int kReach = 32;                    ///< pixels that even a small object may move unexpectedly
+  static constexpr double kMaxLearntScale = 3;         ///< of the shared depth noise, over its prior
+  static constexpr double kConfirmedSeconds = 0.05;    ///< of fits that agree, from which on a discovery is shown
+  static constexpr double kMaxConfirmedSeconds = 0.5;  ///< beyond which no more are counted
+  static constexpr float kSameSurface = 0.05f;         ///< relative difference of inverse depth
+  static constexpr double kMinSupport = 0.15;          ///< of a discovered object, share of its mask
+  static constexpr double kSupportSeconds = 0.3;       ///< over which it is smoothed
+  static constexpr double kCandidateSeconds = 0.25;    ///< what was discovered must be seen again by then
 
   Camera camera_;
   Options options_;
@@ -235,8 +237,10 @@ class Dot {
   Current current_;
   Current previous_;  ///< its images, unless they are in history_
   CameraState camera_state_;
-  PointSet background_;    ///< of the previous frame, or of the last one that had points
-  SE3d T_cur_background_;  ///< from that frame to the current one; the identity once `track` has new points
+  PointSet background_;            ///< of the previous frame, or of the last one that had points
+  SE3d T_cur_background_;          ///< from that frame to the current one; the identity once `track` has new points
+  double background_seconds_ = 0;  ///< from that frame to the previous one
+  Matrix6<double> guess_covariance_ = Matrix6<double>::Zero();  ///< of T_cur_background_, of what of it was guessed
   PointSet fresh_;
   DepthLearning depth_learning_;
   DepthBiasLearning bias_learning_;
@@ -244,6 +248,7 @@ class Dot {
   std::vector<Worker> workers_;  ///< one for each of the threads
   RecyclingList<TrackT> tracks_;
   RecyclingList<Observed> observed_;
+  int small_instances_ = 0;
   bool segmented_ = false;
   SegmentedFrame segmented_frame_;  ///< the last one
   bool segmented_before_ = false;   ///< it is the previous frame, whose images it takes over with the next labels
@@ -259,7 +264,7 @@ class Dot {
   Result result_;
 
   GrowWorkspace grow_workspace_;
-  SplitWorkspace split_workspace_;
+  IdRuns id_runs_;                       ///< of the masks being read
   Image<std::uint8_t> blocked_;          ///< where nothing is to be discovered
   Image<std::uint8_t> background_mask_;  ///< 255: no object there nor near
   Image<std::uint8_t> grey_rows_, mask_rows_;
@@ -270,8 +275,7 @@ class Dot {
   struct {
     std::vector<Observed*> open;  ///< without a track
     std::vector<Outline> predicted, observed;
-    std::vector<double> distance;
-    AssociationWorkspace association;
+    SparseAssignWorkspace association;
   } matching_;
   std::chrono::steady_clock::time_point clock_;
 };

@@ -181,7 +181,8 @@ struct ObjectMotionEstimator {
   }
 
  private:
-  static constexpr int kNearLevel = 2;  ///< from which a fit starts where it is not to go far
+  static constexpr int kNearLevel = 2;            ///< from which a fit starts where it is not to go far
+  static constexpr double kSteadySeconds = 0.25;  ///< for which depth errors change less than they are large
 
   /// Aligned from the first `count` starts, level `top` first: of the minima found the best that holds.
   template <typename Camera, typename Noise, typename Aligner>
@@ -314,7 +315,7 @@ struct ObjectMotionEstimator {
     m.interval = dt;
     m.intervals = std::max(1, reference.intervals);
     m.range = moved.z();
-    m.covariance = displacement_covariance(reference, a, moved, noise) / (dt * dt) +
+    m.covariance = displacement_covariance(reference, a, moved, dt, noise) / (dt * dt) +
                    Matrix3<double>::Identity() * velocity.floor * velocity.floor;
     m.entropy = entropy(out.sigma);
     const DynamicDisparity d =
@@ -329,11 +330,11 @@ struct ObjectMotionEstimator {
   /// depth errors are scaled by that.
   template <typename Noise>
   Matrix3<double> displacement_covariance(const ObjectReference& reference, const Alignment& a,
-                                          const Vector3<double>& moved, const Noise& noise) const {
+                                          const Vector3<double>& moved, double dt, const Noise& noise) const {
     const double q = 1 / std::max(0.05, reference.centroid.z());
     const double excess = std::clamp(a.depth_scatter / (1.2 * noise.pixel(q)), 1.0, 4.0);
     const double common = excess * noise.common(q), pixel = excess * noise.pixel(q);
-    const double change = reference.intervals > 2 ? std::max(common, noise.change(q)) : noise.change(q);
+    const double change = dt > kSteadySeconds ? std::max(common, noise.change(q)) : noise.change(q);
     Matrix3<double> V = velocity.photometric_scale * a.covariance.topLeftCorner<3, 3>();
     const auto add = [&](const Vector8& mode, double variance) {
       const Vector3<double> x = mode.head<3>();
@@ -351,6 +352,7 @@ struct ObjectMotionEstimator {
   Reason check(const ObjectReference& reference, const Alignment& a, const ObjectFit& out,
                const KnownVelocity& known) const {
     if (!a.state.T.t.allFinite() || !a.covariance.allFinite()) return Reason::Diverged;
+    if (!out.motion.velocity.allFinite() || !out.motion.covariance.allFinite()) return Reason::Diverged;
     if (a.inside < settings.min_points || a.inside < settings.min_visible * reference.points.size())
       return Reason::LeavesImage;
     if (a.seen < settings.min_inliers || a.seen < 0.3 * a.inside) return Reason::Occluded;

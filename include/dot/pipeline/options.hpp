@@ -28,93 +28,108 @@ struct Options {
   bool discover_unknown = false;  ///< look in the background for moving things that no mask shows
 };
 
-/// Calls `visit(name, value)` for each numeric setting, name as in "velocity.v0", value a reference to double, int or
-/// bool. Serves configuration files and range checks.
+/// Values that a setting may have, both ends included.
+struct OptionRange {
+  double low, high;
+};
+
+/// Calls `visit(name, value, range)` for each numeric setting, name as in "velocity.v0", value a reference to double,
+/// int or bool. Beyond its range a setting has no meaning: a share above 1, a variance of zero, a speed above all
+/// speeds.
+template <typename AnyOptions, typename Visitor>
+void for_each_option_range(AnyOptions& o, Visitor&& visit) {
+#define DOT_OPTION(path, low, high) visit(#path, o.path, OptionRange{low, high})
+  DOT_OPTION(selection.background_points, 1, 1e6);
+  DOT_OPTION(selection.object_points, 1, 1e5);
+  DOT_OPTION(selection.min_object_pixels, 0, 1e9);
+  DOT_OPTION(selection.min_depth_share, 0, 1);
+  DOT_OPTION(selection.min_gradient, 0, 255);
+  DOT_OPTION(selection.object_gradient, 0, 255);
+  DOT_OPTION(selection.max_depth, 0.01, 1e5);
+  DOT_OPTION(selection.window_radius, 1, 50);
+  DOT_OPTION(align.max_levels, 1, 16);
+  DOT_OPTION(align.max_iterations, 1, 1000);
+  DOT_OPTION(align.huber, 0.01, 1e3);
+  DOT_OPTION(align.tukey, 0.1, 1e3);
+  DOT_OPTION(align.gradient_noise, 0, 10);
+  DOT_OPTION(align.min_intensity_sigma, 1e-3, 255);
+  DOT_OPTION(align.outlier, 0.1, 1e3);
+  DOT_OPTION(camera.min_points, 10, 1e6);
+  DOT_OPTION(camera.min_phi, 0, 1);
+  DOT_OPTION(camera.min_phi_unexpected, 0, 1);
+  DOT_OPTION(camera.min_margin, 0, 1);
+  DOT_OPTION(camera.min_inliers, 0, 1);
+  DOT_OPTION(camera.search_speed, 0, 1e3);
+  DOT_OPTION(camera.search_turn, 0, 20);
+  DOT_OPTION(camera.restart_margin, 0, 1);
+  DOT_OPTION(camera.restart_shift, 0, 100);
+  DOT_OPTION(camera.covariance_scale, 0.01, 1e3);
+  DOT_OPTION(depth_noise.stereo_sigma_px, 1e-3, 100);
+  DOT_OPTION(depth_noise.stereo_common_px, 0, 100);
+  DOT_OPTION(depth_noise.stereo_bias_px, 0, 100);
+  DOT_OPTION(depth_noise.rgbd_sigma, 1e-6, 1);
+  DOT_OPTION(depth_noise.rgbd_common, 0, 1);
+  DOT_OPTION(depth_noise.lidar_sigma, 1e-4, 10);
+  DOT_OPTION(depth_noise.lidar_relative, 0, 1);
+  DOT_OPTION(depth_noise.lidar_common, 0, 10);
+  DOT_OPTION(depth_noise.unknown_relative, 1e-5, 1);
+  DOT_OPTION(object.min_points, 1, 1e5);
+  DOT_OPTION(object.min_visible, 0, 1);
+  DOT_OPTION(object.min_phi, 0, 1);
+  DOT_OPTION(object.min_phi_expected, 0, 1);
+  DOT_OPTION(object.min_inliers, 0, 1e5);
+  DOT_OPTION(object.min_inlier_share, 0, 1);
+  DOT_OPTION(object.min_depth_agreement, 0, 1);
+  DOT_OPTION(object.max_speed, 0.01, 1e4);
+  DOT_OPTION(object.max_acceleration, 0.01, 1e4);
+  DOT_OPTION(object.search_speed, 0, 1e3);
+  DOT_OPTION(object.reference_seconds, 0, 10);
+  DOT_OPTION(object.max_fitted, 1, 1e4);
+  DOT_OPTION(motion_prior.rotation, 1e-3, 100);
+  DOT_OPTION(motion_prior.velocity, 0.01, 1e4);
+  DOT_OPTION(motion_prior.gain, 1e-4, 10);
+  DOT_OPTION(motion_prior.offset, 1e-3, 255);
+  DOT_OPTION(motion_prior.ground_vehicle, 0, 1);
+  DOT_OPTION(motion_prior.up_x, -1e3, 1e3);
+  DOT_OPTION(motion_prior.up_y, -1e3, 1e3);
+  DOT_OPTION(motion_prior.up_z, -1e3, 1e3);
+  DOT_OPTION(velocity.v0, 1e-3, 100);
+  DOT_OPTION(velocity.v0_per_metre, 0, 100);
+  DOT_OPTION(velocity.photometric_scale, 0.01, 1e3);
+  DOT_OPTION(velocity.floor, 1e-4, 10);
+  DOT_OPTION(velocity.decide, 0.5, 1);
+  DOT_OPTION(velocity.keep, 0.5, 1);
+  DOT_OPTION(velocity.switch_rate, 0, 100);
+  DOT_OPTION(velocity.prior_speed, 0.01, 1e3);
+  DOT_OPTION(velocity.acceleration, 0, 1e3);
+  DOT_OPTION(velocity.tail_share, 0, 1);
+  DOT_OPTION(velocity.tail_variance, 1, 1e4);
+  DOT_OPTION(velocity.outliers, 0, 1);
+  DOT_OPTION(velocity.max_evidence_rate, 0, 1e4);
+  DOT_OPTION(velocity.max_evidence, 0, 100);
+  DOT_OPTION(velocity.max_log_odds, 0, 30);
+  DOT_OPTION(entropy.max_entropy, -1e3, 1e3);
+  DOT_OPTION(entropy.min_entropy, -1e3, 1e3);
+  DOT_OPTION(entropy.min_disparity, 0, 1e3);
+  DOT_OPTION(entropy.noise_factor, 0, 1e3);
+  DOT_OPTION(mask.min_iou, 0, 1);
+  DOT_OPTION(mask.min_containment, 0, 1);
+  DOT_OPTION(mask.keep_seconds, 0, 60);
+  DOT_OPTION(mask.late_seconds, 0, 60);
+  DOT_OPTION(mask.late_frames, 1, 1000);
+  DOT_OPTION(mask.depth_tolerance, 0.01, 1);
+  DOT_OPTION(mask.min_pixels, 0, 1e9);
+  DOT_OPTION(mask.max_instances, 1, 65535);
+  DOT_OPTION(max_gap, 1e-3, 3600);
+  DOT_OPTION(threads, 1, 256);
+  DOT_OPTION(discover_unknown, 0, 1);
+#undef DOT_OPTION
+}
+
+/// Calls `visit(name, value)` for each numeric setting, likewise. Serves configuration files.
 template <typename AnyOptions, typename Visitor>
 void for_each_option(AnyOptions& o, Visitor&& visit) {
-#define DOT_OPTION(path) visit(#path, o.path)
-  DOT_OPTION(selection.background_points);
-  DOT_OPTION(selection.object_points);
-  DOT_OPTION(selection.min_object_pixels);
-  DOT_OPTION(selection.min_depth_share);
-  DOT_OPTION(selection.min_gradient);
-  DOT_OPTION(selection.object_gradient);
-  DOT_OPTION(selection.max_depth);
-  DOT_OPTION(selection.window_radius);
-  DOT_OPTION(align.max_levels);
-  DOT_OPTION(align.max_iterations);
-  DOT_OPTION(align.huber);
-  DOT_OPTION(align.tukey);
-  DOT_OPTION(align.gradient_noise);
-  DOT_OPTION(align.min_intensity_sigma);
-  DOT_OPTION(align.outlier);
-  DOT_OPTION(camera.min_points);
-  DOT_OPTION(camera.min_phi);
-  DOT_OPTION(camera.min_phi_unexpected);
-  DOT_OPTION(camera.min_margin);
-  DOT_OPTION(camera.min_inliers);
-  DOT_OPTION(camera.search_speed);
-  DOT_OPTION(camera.search_turn);
-  DOT_OPTION(camera.restart_margin);
-  DOT_OPTION(camera.restart_shift);
-  DOT_OPTION(camera.covariance_scale);
-  DOT_OPTION(depth_noise.stereo_sigma_px);
-  DOT_OPTION(depth_noise.stereo_common_px);
-  DOT_OPTION(depth_noise.stereo_bias_px);
-  DOT_OPTION(depth_noise.rgbd_sigma);
-  DOT_OPTION(depth_noise.rgbd_common);
-  DOT_OPTION(depth_noise.lidar_sigma);
-  DOT_OPTION(depth_noise.lidar_relative);
-  DOT_OPTION(depth_noise.lidar_common);
-  DOT_OPTION(depth_noise.unknown_relative);
-  DOT_OPTION(object.min_points);
-  DOT_OPTION(object.min_visible);
-  DOT_OPTION(object.min_phi);
-  DOT_OPTION(object.min_phi_expected);
-  DOT_OPTION(object.min_inliers);
-  DOT_OPTION(object.min_inlier_share);
-  DOT_OPTION(object.min_depth_agreement);
-  DOT_OPTION(object.max_speed);
-  DOT_OPTION(object.max_acceleration);
-  DOT_OPTION(object.search_speed);
-  DOT_OPTION(object.reference_seconds);
-  DOT_OPTION(motion_prior.rotation);
-  DOT_OPTION(motion_prior.velocity);
-  DOT_OPTION(motion_prior.gain);
-  DOT_OPTION(motion_prior.offset);
-  DOT_OPTION(motion_prior.ground_vehicle);
-  DOT_OPTION(motion_prior.up_x);
-  DOT_OPTION(motion_prior.up_y);
-  DOT_OPTION(motion_prior.up_z);
-  DOT_OPTION(velocity.v0);
-  DOT_OPTION(velocity.v0_per_metre);
-  DOT_OPTION(velocity.photometric_scale);
-  DOT_OPTION(velocity.floor);
-  DOT_OPTION(velocity.decide);
-  DOT_OPTION(velocity.keep);
-  DOT_OPTION(velocity.switch_rate);
-  DOT_OPTION(velocity.prior_speed);
-  DOT_OPTION(velocity.acceleration);
-  DOT_OPTION(velocity.tail_share);
-  DOT_OPTION(velocity.tail_variance);
-  DOT_OPTION(velocity.outliers);
-  DOT_OPTION(velocity.max_evidence_rate);
-  DOT_OPTION(velocity.max_evidence);
-  DOT_OPTION(velocity.max_log_odds);
-  DOT_OPTION(entropy.max_entropy);
-  DOT_OPTION(entropy.min_entropy);
-  DOT_OPTION(entropy.min_disparity);
-  DOT_OPTION(entropy.noise_factor);
-  DOT_OPTION(mask.min_iou);
-  DOT_OPTION(mask.min_containment);
-  DOT_OPTION(mask.keep_seconds);
-  DOT_OPTION(mask.late_seconds);
-  DOT_OPTION(mask.depth_tolerance);
-  DOT_OPTION(mask.min_pixels);
-  DOT_OPTION(max_gap);
-  DOT_OPTION(threads);
-  DOT_OPTION(discover_unknown);
-#undef DOT_OPTION
+  for_each_option_range(o, [&visit](const char* name, auto& value, OptionRange) { visit(name, value); });
 }
 
 }  // namespace dot

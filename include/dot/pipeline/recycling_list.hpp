@@ -76,7 +76,7 @@ class RecyclingList {
     --size_;
   }
   void pop_back() { --size_; }
-  void clear() { size_ = 0; }
+  void clear() noexcept { size_ = 0; }
 
   /// Drops the elements for which `condition` holds; the others keep their order.
   template <typename Condition>
@@ -93,5 +93,15 @@ class RecyclingList {
   Slots slots_;  ///< the first size_ of them are the list
   std::size_t size_ = 0;
 };
+
+/// Keeps a list of past frames short at any frame rate. Call it before a new frame is added: the newest is dropped if
+/// the one before it is closer than 1/32 of the time that the list spans.
+/// @param newest_first its elements have a `timestamp`, seconds. @param span seconds.
+template <typename T>
+void thin_newest(RecyclingList<T>& newest_first, double span) {
+  constexpr int kMostFrames = 32;
+  if (newest_first.size() >= 2 && newest_first[0].timestamp - newest_first[1].timestamp < span / kMostFrames)
+    newest_first.pop_front();
+}
 
 DOT_END_NAMESPACE

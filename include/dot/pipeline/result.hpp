@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -31,7 +32,8 @@ enum class Reason : std::uint8_t {
   Implausible,       ///< the motion found is faster than Options::object.max_speed
   Hidden,            ///< neither its prediction nor a mask shows it in this frame
   CameraLost,        ///< no camera motion, hence no object motion
-  Lost               ///< not seen for longer than Options::mask.keep_seconds: dropped after this frame
+  Lost,              ///< not seen for longer than Options::mask.keep_seconds: dropped after this frame
+  TooManyObjects     ///< not among the Options::object.max_fitted largest: carried on at its last velocity
 };
 
 enum class CameraStatus : std::uint8_t {
@@ -39,7 +41,7 @@ enum class CameraStatus : std::uint8_t {
   Tracked,         ///< estimated from the image
   FromHost,        ///< taken from Frame::camera_motion
   TooLittleDepth,  ///< no earlier frame had enough background points with depth; T_cur_prev is a guess: the host's
-                   ///< prior, or constant velocity
+                   ///< prior, or constant velocity, with the covariance of a motion of which only the limits are known
   Lost             ///< the alignment failed; T_cur_prev is a guess likewise
 };
 
@@ -114,14 +116,15 @@ struct Result {
   CameraResult camera;
   ImageView<const std::uint8_t> labels;  ///< State of each pixel
   ImageView<const std::uint32_t> ids;    ///< track id of each pixel, 0 = background
-  Span<ObjectResult> objects;            ///< all live tracks, those without pixels too
+  Span<ObjectResult> objects;            ///< all live tracks by id, those without pixels too
+  int small_instances = 0;               ///< of this frame's masks: without a track, too small to start one
   std::array<double, static_cast<int>(Stage::Count)> stage_ms{};
 
   /// The object of this id, or null.
   const ObjectResult* find(std::uint32_t id) const {
-    for (const ObjectResult& object : objects)
-      if (object.id == id) return &object;
-    return nullptr;
+    const ObjectResult* found = std::lower_bound(
+        objects.begin(), objects.end(), id, [](const ObjectResult& object, std::uint32_t i) { return object.id < i; });
+    return found != objects.end() && found->id == id ? found : nullptr;
   }
 };
 
@@ -142,8 +145,9 @@ constexpr const char* to_string(Reason reason) {
                                    "implausible",
                                    "hidden",
                                    "camera_lost",
-                                   "lost"};
-  return reason <= Reason::Lost ? names[static_cast<int>(reason)] : "?";
+                                   "lost",
+                                   "too_many_objects"};
+  return reason <= Reason::TooManyObjects ? names[static_cast<int>(reason)] : "?";
 }
 
 /// Name of a camera status, lower case with underscores.

@@ -16,6 +16,15 @@
 
 DOT_BEGIN_NAMESPACE
 
+/// Where something is, metres, if that is known.
+struct Place {
+  Vector3<double> at = Vector3<double>::Zero();
+  bool known = false;
+
+  /// The same in other axes, or after a motion; what is not known stays so.
+  Place moved(const SE3d& T) const { return known ? Place{T * at, true} : Place{}; }
+};
+
 /// One object over time. `Memory` is the classifier's.
 template <typename Memory>
 struct Track {
@@ -39,7 +48,7 @@ struct Track {
   bool segmented = false;                                     ///< there was one
   bool discovered = false;                                    ///< found by its motion; no network mask so far
   bool candidate = false;  ///< of those, one that does not count as moving at present: not shown
-  int confirmed = 0;       ///< of those, fits that agreed with the ones before, less those that did not
+  double confirmed = 0;    ///< of those, seconds with fits that agreed with the ones before, less those with others
   double support = 0;      ///< of those, share of the mask that contradicts a standing scene; smoothed
   bool visible = false;
   bool contradicted = false;  ///< the last segmentation did not show it where it should be seen
@@ -61,13 +70,14 @@ struct Track {
   double p_moving = 0.5;
   Vector3<double> velocity = Vector3<double>::Zero();  ///< fused, newest camera's axes
   Matrix3<double> velocity_covariance = Matrix3<double>::Zero();
-  VelocityTrust trust;                                        ///< in `velocity`
-  double last_fit = 0;                                        ///< timestamp of the last that `velocity` follows
-  Vector3<double> position = Vector3<double>::Zero();         ///< of its middle, newest camera's axes; z > 0: known
-  Vector3<double> position_before = Vector3<double>::Zero();  ///< in the frame before, its axes
-  double size = 0;                                            ///< metres: root of the largest area that it has shown
-  double last_seen = 0;                                       ///< timestamp
-  bool lost = false;                                          ///< to be dropped before the next frame
+  VelocityTrust trust;    ///< in `velocity`
+  double last_fit = 0;    ///< timestamp of the last that `velocity` follows
+  Place position;         ///< of its middle, newest camera's axes
+  Place position_before;  ///< in the frame before, its axes
+  double size = 0;        ///< metres: root of the largest area that it has shown
+  double last_seen = 0;   ///< timestamp
+  bool followed = true;   ///< its motion is estimated: it is among the largest
+  bool lost = false;      ///< to be dropped before the next frame
 
   /// Makes it a new object, in the memory of the one it was.
   void restart(std::uint32_t new_id) {
@@ -101,6 +111,9 @@ struct Track {
   }
 
   bool is_shown() const { return visible && !lost && !candidate; }
+
+  /// Whether its middle is known to be before the camera.
+  bool is_ahead() const { return position.known && position.at.z() > 0; }
 
   /// Whether nothing of it is in view but what an earlier mask showed of it may come out.
   bool may_come_out() const { return !visible && !hidden.mask.empty() && !lost && !candidate && !contradicted; }

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
-#include <string_view>
-#include <type_traits>
 
 #include "dot/abi.hpp"
 #include "dot/pipeline/field_name.hpp"
@@ -24,49 +25,49 @@ DOT_BEGIN_NAMESPACE
   throw std::invalid_argument(field + ": " + what);
 }
 
-/// @throws std::invalid_argument naming the setting that is not finite or out of range.
-inline void validate(const Options& options) {
-  for_each_option(options, [](const char* name, const auto& value) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
-      if (!std::isfinite(value)) bad_field(std::string("options.") + name, "must be finite");
-  });
-  const auto positive = [](const char* name, double value) {
-    if (!(value > 0)) bad_field(std::string("options.") + name, "must be > 0");
-  };
-  positive("selection.background_points", options.selection.background_points);
-  positive("selection.object_points", options.selection.object_points);
-  positive("selection.max_depth", options.selection.max_depth);
-  positive("align.max_levels", options.align.max_levels);
-  positive("align.max_iterations", options.align.max_iterations);
-  positive("align.huber", options.align.huber);
-  positive("align.tukey", options.align.tukey);
-  positive("align.min_intensity_sigma", options.align.min_intensity_sigma);
-  positive("depth_noise.stereo_sigma_px", options.depth_noise.stereo_sigma_px);
-  positive("depth_noise.unknown_relative", options.depth_noise.unknown_relative);
-  positive("motion_prior.rotation", options.motion_prior.rotation);
-  positive("motion_prior.velocity", options.motion_prior.velocity);
-  positive("motion_prior.gain", options.motion_prior.gain);
-  positive("motion_prior.offset", options.motion_prior.offset);
-  positive("object.max_acceleration", options.object.max_acceleration);
-  positive("velocity.v0", options.velocity.v0);
-  positive("velocity.prior_speed", options.velocity.prior_speed);
-  positive("max_gap", options.max_gap);
-  for_each_option(options, [](const char* name, const auto& value) {
-    const std::string_view setting = name;  // an entropy, in nats, and a direction may be negative
-    if (static_cast<double>(value) < 0 && setting.rfind("entropy.", 0) != 0 &&
-        setting.rfind("motion_prior.up_", 0) != 0)
-      bad_field(std::string("options.") + name, "must be >= 0");
-  });
-  if (options.threads < 1 || options.threads > 256) bad_field("options.threads", "must be 1 to 256");
-  if (options.selection.window_radius < 1 || options.selection.window_radius > 50)
-    bad_field("options.selection.window_radius", "must be 1 to 50 pixels");
-  if (!(options.velocity.decide > 0.5 && options.velocity.decide < 1))
-    bad_field("options.velocity.decide", "must be between 0.5 and 1");
-  if (!(options.velocity.keep >= 0.5 && options.velocity.keep <= options.velocity.decide))
-    bad_field("options.velocity.keep", "must be between 0.5 and velocity.decide");
+/// Number for a message, without trailing zeros.
+inline std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
 }
 
-/// Checks a view: present, one of `formats`, rows that fit the stride, and of the size width x height (0: any).
+/// @throws std::invalid_argument naming the setting that is out of range.
+inline void validate(const Options& options) {
+  for_each_option_range(options, [](const char* name, const auto& value, OptionRange range) {
+    const double v = static_cast<double>(value);
+    if (!(v >= range.low && v <= range.high))
+      bad_field(std::string("options.") + name,
+                "is " + number(v) + ", must be " + number(range.low) + " to " + number(range.high));
+  });
+  const VelocitySettings& v = options.velocity;
+  if (!(v.decide > 0.5 && v.decide < 1)) bad_field("options.velocity.decide", "must be between 0.5 and 1");
+  if (v.keep > v.decide) bad_field("options.velocity.keep", "must not be above velocity.decide");
+  const MotionPriorSettings& prior = options.motion_prior;
+  if (prior.ground_vehicle && !(std::hypot(prior.up_x, prior.up_y, prior.up_z) > 0))
+    bad_field("options.motion_prior.up_y", "must not be 0 like up_x and up_z: which way is up?");
+}
+
+/// Whether rows of three-byte pixels, four bytes a pixel apart, look like four-byte pixels. Rows may be that far apart
+/// for other reasons, as in a crop of a wider image; there bytes resemble those of the neighbouring pixel, three bytes
+/// on, more than those four bytes on.
+inline bool looks_like_four_channels(const ImageRef& image) {
+  if (std::abs(image.stride) != std::ptrdiff_t{4} * image.width) return false;
+  constexpr int rows = 32;  // that are looked at
+  std::int64_t three_on = 0, four_on = 0;
+  for (int i = 0; i < std::min(rows, image.height); ++i) {
+    const int y = static_cast<int>(std::int64_t{i} * image.height / std::min(rows, image.height));
+    const auto* row = static_cast<const std::uint8_t*>(image.data) + y * image.stride;
+    for (int x = 0; x + 4 < 3 * image.width; ++x) {
+      three_on += std::abs(row[x] - row[x + 3]);
+      four_on += std::abs(row[x] - row[x + 4]);
+    }
+  }
+  return four_on <= three_on;
+}
+
+/// Checks a view: present, one of `formats`, aligned, rows that fit the stride, and of the size width x height (0:
+/// any).
 inline void validate(const FieldName& field, const ImageRef& image, std::initializer_list<PixelFormat> formats,
                      int width, int height) {
   if (image.data == nullptr) bad_field(field, "is empty (null data)");
@@ -76,12 +77,18 @@ inline void validate(const FieldName& field, const ImageRef& image, std::initial
   if (!known) bad_field(field, "has a pixel format that is not accepted here");
   if (std::abs(image.stride) < static_cast<std::ptrdiff_t>(image.width) * bytes_per_pixel(image.format))
     bad_field(field, "stride is shorter than a row");
+  const int element = bytes_per_element(image.format);
+  if (image.stride % element != 0) bad_field(field, "stride is not a multiple of its element's size");
+  if (reinterpret_cast<std::uintptr_t>(image.data) % static_cast<std::uintptr_t>(element) != 0)
+    bad_field(field, "data is not aligned to its element's size");
   if (width > 0 && (image.width != width || image.height != height))
     bad_field(field, "is " + std::to_string(image.width) + "x" + std::to_string(image.height) + ", expected " +
                          std::to_string(width) + "x" + std::to_string(height));
   if (image.format == PixelFormat::DepthU16 &&
-      !(std::isfinite(image.depth_units_per_metre) && image.depth_units_per_metre > 0))
-    bad_field(field, "depth_units_per_metre must be finite and > 0");
+      !(image.depth_units_per_metre >= 1e-3 && image.depth_units_per_metre <= 1e7))
+    bad_field(field, "depth_units_per_metre must be 1e-3 to 1e7");
+  if (bytes_per_pixel(image.format) == 3 && looks_like_four_channels(image))
+    bad_field(field, "has three bytes a pixel, but its rows are four bytes a pixel apart: is it BGRA?");
 }
 
 /// @throws std::invalid_argument naming the field of the masks of a frame of this size.
@@ -98,7 +105,8 @@ inline void validate(const char* name, const Masks& masks, int width, int height
   }
 }
 
-/// @throws std::invalid_argument naming the field unless T, row-major 3x4, is a rotation and a translation.
+/// @throws std::invalid_argument naming the field unless T, row-major 3x4, is a rotation and a translation that a
+/// camera can make between two frames.
 inline void validate(const FieldName& field, const std::array<double, 12>& T) {
   for (const double v : T)
     if (!std::isfinite(v)) bad_field(field, "must be finite");
@@ -106,11 +114,47 @@ inline void validate(const FieldName& field, const std::array<double, 12>& T) {
     for (std::size_t c = r; c < 3; ++c) {
       double dot = 0;
       for (std::size_t k = 0; k < 3; ++k) dot += T[4 * r + k] * T[4 * c + k];
-      if (std::abs(dot - (r == c)) > 1e-3) bad_field(field, "is not a rotation");
+      if (!(std::abs(dot - (r == c)) <= 1e-3)) bad_field(field, "is not a rotation");
     }
   const double det =
       T[0] * (T[5] * T[10] - T[6] * T[9]) - T[1] * (T[4] * T[10] - T[6] * T[8]) + T[2] * (T[4] * T[9] - T[5] * T[8]);
   if (det < 0) bad_field(field, "is a mirror image, not a rotation");
+  constexpr double farthest = 1e4;
+  for (const std::size_t i : {3, 7, 11})
+    if (std::abs(T[i]) > farthest) bad_field(field, "moves by more than " + number(farthest) + " m between two frames");
+}
+
+/// @throws std::invalid_argument naming the field unless C, row-major 6x6 of a twist [translation; rotation], is a
+/// covariance: symmetric, positive semi-definite but for rounding, and of a motion that is known at all.
+inline void validate_covariance(const FieldName& field, const std::array<double, 36>& C) {
+  constexpr double largest_translation = 1e6, largest_rotation = 10;  // 1 km and pi, squared
+  std::array<double, 6> sigma{};
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j < 6; ++j)
+      if (!std::isfinite(C[6 * i + j])) bad_field(field, "must be finite");
+    const double variance = C[7 * i], largest = i < 3 ? largest_translation : largest_rotation;
+    if (!(variance >= 0 && variance <= largest))
+      bad_field(field, "element (" + std::to_string(i) + ", " + std::to_string(i) + ") is " + number(variance) +
+                           ", must be 0 to " + number(largest) + "; give no motion where none is known");
+    sigma[i] = std::sqrt(variance);
+  }
+  // Cholesky's decomposition of the correlations; what rounding takes from a pivot is given back.
+  constexpr double rounding = 1e-5;
+  std::array<double, 36> L{};
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      const double scale = sigma[i] * sigma[j];
+      if (std::abs(C[6 * i + j] - C[6 * j + i]) > rounding * scale) bad_field(field, "must be symmetric");
+      double rest = scale > 0 ? C[6 * i + j] / scale : 0;
+      if (!(scale > 0) && C[6 * i + j] != 0) bad_field(field, "must be positive semi-definite");
+      for (std::size_t k = 0; k < j; ++k) rest -= L[6 * i + k] * L[6 * j + k];
+      if (i != j) {
+        L[6 * i + j] = rest / L[7 * j];
+      } else {
+        if (scale > 0 && rest < -rounding) bad_field(field, "must be positive semi-definite");
+        L[7 * i] = std::sqrt(std::max(rest, 0.0) + rounding);
+      }
+    }
 }
 
 /// @throws std::invalid_argument naming the field of the frame; width and height are the camera's.
@@ -119,15 +163,15 @@ inline void validate(const Frame& frame, int width, int height, bool has_previou
            width, height);
   validate("frame.depth", frame.depth, {PixelFormat::DepthF32, PixelFormat::DepthU16}, width, height);
   if (!std::isfinite(frame.timestamp)) bad_field("frame.timestamp", "must be finite");
-  if (has_previous && frame.timestamp <= previous_timestamp)
-    bad_field("frame.timestamp",
-              "must be greater than the last frame's (" + std::to_string(previous_timestamp) + " s)");
+  constexpr double shortest = 1e-7;  // seconds; velocities are finite with it
+  if (has_previous && !(frame.timestamp - previous_timestamp >= shortest))
+    bad_field("frame.timestamp", "must be greater than the last frame's (" + std::to_string(previous_timestamp) +
+                                     " s), by 1e-7 s at least");
   if (frame.masks) validate("frame.masks", *frame.masks, width, height);
   if (frame.camera_prior) validate("frame.camera_prior", *frame.camera_prior);
   if (frame.camera_motion) {
     validate("frame.camera_motion.T_cur_prev", frame.camera_motion->T_cur_prev);
-    for (const double v : frame.camera_motion->covariance)
-      if (!std::isfinite(v)) bad_field("frame.camera_motion.covariance", "must be finite");
+    validate_covariance("frame.camera_motion.covariance", frame.camera_motion->covariance);
   }
 }
 

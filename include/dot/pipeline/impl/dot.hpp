@@ -32,11 +32,10 @@ Dot<Camera, Classifier, Noise, Aligner>::Dot(const Camera& camera, const Options
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Dot<Camera, Classifier, Noise, Aligner>::reset() {
+void Dot<Camera, Classifier, Noise, Aligner>::reset() noexcept {
   has_previous_ = false;
   camera_state_ = {};
-  T_cur_background_ = {};
-  background_.clear();
+  forget_background();
   depth_learning_.forget();
   bias_learning_.forget();
   discovery_.clear();
@@ -45,15 +44,48 @@ void Dot<Camera, Classifier, Noise, Aligner>::reset() {
   tracks_.clear();
   history_.clear();
   segmented_before_ = false;
+  segmented_frame_.known = false;
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::forget_background() noexcept {
+  background_.clear();
+  T_cur_background_ = {};
+  background_seconds_ = 0;
+  guess_covariance_.setZero();
+}
+
+/// Runs `body`. On an exception everything is forgotten: the state of half a frame is not one to go on from. OpenCV has
+/// an exception of its own for a lack of memory; it leaves as std::bad_alloc.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+template <typename Body>
+void Dot<Camera, Classifier, Noise, Aligner>::reset_unless_done(Body&& body) {
+  try {
+    body();
+  } catch (const cv::Exception& e) {
+    reset();
+    if (e.code == cv::Error::StsNoMem) throw std::bad_alloc();
+    throw;
+  } catch (...) {
+    reset();
+    throw;
+  }
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame) {
   validate(frame, camera_.width(), camera_.height(), has_previous_, current_.timestamp);
-  ResetUnlessDone attempt{*this};
   clock_ = std::chrono::steady_clock::now();
+  if (frame.masks) count_instances("frame.masks", *frame.masks);
+  reset_unless_done([&] { label_objects(frame); });
+  return result_;
+}
+
+/// Algorithm 1 of the paper, and what prepares the next frame.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) {
   while (workers_.size() < static_cast<std::size_t>(std::max(1, threads.count)))
-    workers_.push_back({aligner, {}, {}, {}, {}, {}, {}, {}, {}});
+    workers_.push_back({aligner, {}, {}, {}, {}, {}, {}, {}, {}, {}});
 
   build(frame);  // pyramid, inverse depth
   take_time(Stage::Image);
@@ -76,8 +108,6 @@ const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame)
   write_result(frame);
   await_masks(frame);  // which may come later
   has_previous_ = true;
-  attempt.done = true;
-  return result_;
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -94,11 +124,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::build(const Frame& frame) {
   current_.dt = has_previous_ ? interval : 0;
   if (current_.dt > options_.max_gap) {  // too long ago to align to: keep the ids, drop what was seen
     current_.dt = 0;
-    T_cur_background_ = {};
-    background_.clear();
+    forget_background();
     depth_learning_.clear();
     discovery_.clear();
     history_.clear();
+    segmented_before_ = segmented_frame_.known = false;
     for (TrackT& t : tracks_) t.references.clear(), t.no_reference = Reason::NoReference, t.has_motion = false;
   }
   current_.timestamp = frame.timestamp;
@@ -140,7 +170,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
   if (frame.camera_motion) {
     c.status = CameraStatus::FromHost;
     c.T_cur_prev = SE3d::from_row_major(frame.camera_motion->T_cur_prev).normalized();
-    c.covariance = Eigen::Map<const Matrix6<double>, Eigen::Unaligned>(frame.camera_motion->covariance.data());
+    const Eigen::Map<const Matrix6<double>, Eigen::Unaligned> covariance(frame.camera_motion->covariance.data());
+    c.covariance = 0.5 * (covariance + covariance.transpose());
     const AlignProblem<Camera> problem{background_, current_.pyramid, camera_};
     c.alignment.state = workers_[0].aligner.photometry(problem, c.T_cur_prev * T_cur_background_);
     c.alignment.sigma_intensity = workers_[0].aligner.intensity_sigma(problem, c.alignment.state, 0);
@@ -169,9 +200,26 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
       c.covariance = s.covariance_scale * a.covariance.template topLeftCorner<6, 6>();
     }
   }
+  if (!c.known()) guess_camera_motion();
   c.rate_known = c.known();
-  if (c.known()) c.rate = c.T_cur_prev.log() / current_.dt;
+  if (c.status == CameraStatus::Tracked && !guess_covariance_.isZero()) {
+    // The previous frame's place was a guess, and only the way since the frame before that is known well.
+    const Matrix6<double> Ad = c.T_cur_prev.adjoint();
+    c.covariance += Ad * guess_covariance_ * Ad.transpose();
+    c.rate = c.alignment.state.T.log() / (background_seconds_ + current_.dt);
+  } else if (c.known()) {
+    c.rate = c.T_cur_prev.log() / current_.dt;
+  }
   if constexpr (std::is_same_v<Noise, DepthNoise>) learn_depth();
+}
+
+/// The covariance of a motion of which nothing is known but its limits: uniform within what a search would look at.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::guess_camera_motion() {
+  const double metres = options_.camera.search_speed * current_.dt, radians = options_.camera.search_turn * current_.dt;
+  camera_state_.covariance.setZero();
+  camera_state_.covariance.diagonal() << Vector3<double>::Constant(metres * metres / 3),
+      Vector3<double>::Constant(radians * radians / 3);
 }
 
 /// How wrong the depth is, by what the background shows.
@@ -182,8 +230,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::learn_depth() {
     depth_learning_.clear();
     return;
   }
-  depth_learning_.learn(camera_, c.T_cur_prev, current_.inverse_depth(), current_.timestamp, depth_noise,
-                        current_.bias);
+  if (guess_covariance_.isZero())
+    depth_learning_.learn(camera_, c.T_cur_prev, current_.inverse_depth(), current_.timestamp, depth_noise,
+                          current_.bias);
+  else
+    depth_learning_.clear();
   const DepthNoiseSettings& s = depth_noise.settings;
   bias_learning_.prior = s.source == DepthSource::Stereo ? s.stereo_bias_px / depth_noise.focal_baseline : 0;
   if (background_.size() >= options_.camera.min_points)
@@ -236,12 +287,19 @@ void Dot<Camera, Classifier, Noise, Aligner>::add_background(Worker& worker) {
          fresh_);
   result_.too_little_depth = fresh_.size() < options_.camera.min_points;
   if (result_.too_little_depth) {  // go on with the points that the camera was last aligned to
-    T_cur_background_ = camera_state_.T_cur_prev * T_cur_background_;
+    const CameraState& c = camera_state_;
+    const Matrix6<double> Ad = c.T_cur_prev.adjoint();
+    T_cur_background_ = c.T_cur_prev * T_cur_background_;
+    background_seconds_ += current_.dt;
+    guess_covariance_ = (Ad * guess_covariance_ * Ad.transpose()).eval();
+    if (!c.known()) guess_covariance_ += c.covariance;
   } else {
     select.sample_intensities(fresh_);
     std::swap(background_, fresh_);
     background_.bias = current_.bias;
     T_cur_background_ = {};
+    background_seconds_ = 0;
+    guess_covariance_.setZero();
   }
 }
 
@@ -252,11 +310,17 @@ void Dot<Camera, Classifier, Noise, Aligner>::add_reference(TrackT& object, Work
          current_.timestamp - object.references.back().timestamp > options_.object.reference_seconds + 1e-6)
     object.references.pop_back();
   if (stands(object)) return;
+  if (!object.followed) {
+    object.references.clear();
+    object.no_reference = Reason::TooManyObjects;
+    return;
+  }
+  thin_newest(object.references, options_.object.reference_seconds);
   const Vector3<double> centre = anchor(object.mask, current_.inverse_depth(), worker);
   if (object.visible && centre.z() > 0) {
     // What is half hidden shows a part that is not its middle: then the middle is where its motion carried it.
     const double size = std::sqrt(1.0 * object.mask.area) * centre.z() / camera_.intrinsics().fx;
-    if (size > 0.7 * object.size || object.position.z() <= 0) object.position = centre;
+    if (size > 0.7 * object.size || !object.is_ahead()) object.position = {centre, true};
     object.size = std::max(object.size, size);
   }
   ObjectReference& r = object.references.push_front();
@@ -313,6 +377,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame) {
   camera.n_points = c.alignment.seen;
   camera.n_inliers = c.alignment.inliers;
 
+  result_.small_instances = small_instances_;
   objects_.clear();
   for (const TrackT& t : tracks_) {
     if (t.candidate) continue;

@@ -17,7 +17,7 @@ DOT_BEGIN_NAMESPACE
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::discover() {
   const CameraState& c = camera_state_;
-  if (!c.known()) discovery_.clear();
+  if (!c.known() || !guess_covariance_.isZero()) discovery_.clear();
   discovery_.advance(c.T_cur_prev, c.covariance, c.alignment.state.gain, c.alignment.state.offset);
   blocked_.resize(camera_.width(), camera_.height());
   blocked_.fill(0);
@@ -91,7 +91,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::confirm(TrackT& object) {
              SingleFrameClassifier{options_.velocity}(none, &object.decisive, Matrix3<double>::Identity(), current_.dt)
                      .state == State::Moving;
   }
-  object.confirmed = std::clamp(object.confirmed + (agrees ? 1 : -1), 0, kMaxConfirmed);
+  object.confirmed = std::clamp(object.confirmed + (agrees ? 1 : -1) * current_.dt, 0.0, kMaxConfirmedSeconds);
 }
 
 /// Decides whether a discovered object is shown: while its belief is *moving* and the pixels under its mask go on
@@ -101,7 +101,8 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Dot<Camera, Classifier, Noise, Aligner>::support(TrackT& object) {
   const double now = discovery_.support(object.observed ? *object.observed : object.predicted.mask);
   object.support += (now - object.support) * std::min(1.0, current_.dt / kSupportSeconds);
-  object.candidate = object.state != State::Moving || object.support < kMinSupport || object.confirmed == 0;
+  object.candidate =
+      object.state != State::Moving || object.support < kMinSupport || object.confirmed < kConfirmedSeconds;
 }
 
 DOT_END_NAMESPACE

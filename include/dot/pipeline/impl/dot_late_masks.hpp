@@ -18,13 +18,13 @@ DOT_BEGIN_NAMESPACE
 /// Keeps the frame as long as its masks may come: until those of a later one have, or are too late.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::await_masks(const Frame& frame) {
-  const double oldest = current_.timestamp - options_.mask.late_seconds - 1e-6;
-  history_.drop_before(oldest);
   if (segmented_ || !(options_.mask.late_seconds > 0)) {
     history_.clear();
     for (TrackT& t : tracks_) t.path.clear();
     return;
   }
+  history_.drop_before(current_.timestamp - options_.mask.late_seconds - 1e-6,
+                       static_cast<std::size_t>(options_.mask.late_frames - 1));
   Past& newest = history_.add();
   newest.id = frame.id;
   newest.frame.timestamp = current_.timestamp;  // the next frame needs it as well
@@ -36,27 +36,32 @@ void Dot<Camera, Classifier, Noise, Aligner>::await_masks(const Frame& frame) {
   newest.since = {};
   newest.since.timestamp = current_.timestamp;
   newest.camera_known = true;
+  const double oldest = history_.begin()->timestamp();
   for (TrackT& t : tracks_) t.path.add(current_.timestamp, oldest);
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_id, const Masks& masks) {
   validate("masks", masks, camera_.width(), camera_.height());
+  count_instances("masks", masks);
   const auto found =
       std::find_if(std::make_reverse_iterator(history_.end()), std::make_reverse_iterator(history_.begin()),
                    [&](const Past& p) { return p.id == frame_id; });
   if (found == std::make_reverse_iterator(history_.begin()))
     bad_field("frame_id", std::to_string(frame_id) + " is none of the frames since the last segmentation, up to " +
-                              std::to_string(options_.mask.late_seconds) + " s ago");
-  Past& then = *found;
-  ResetUnlessDone attempt{*this};
+                              number(options_.mask.late_seconds) + " s ago and " +
+                              std::to_string(options_.mask.late_frames) + " at most");
+  reset_unless_done([&] { apply_late_masks(*found, masks); });
+}
 
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::apply_late_masks(Past& then, const Masks& masks) {
   // The tracks as they were in that frame, by what is known of their motions now.
   tracks_.drop_if([](const TrackT& t) { return t.lost; });
   for (TrackT& t : tracks_) {
     const SE3d T_then_cur = T_cur_then(t, then).inverse();
     t.observed = nullptr;
-    t.position = T_then_cur * t.position;
+    t.position = t.position.moved(T_then_cur);
     t.T_cur_outline = T_then_cur * t.T_cur_outline;
     warp_outline(t, t.T_cur_outline, then.frame.inverse_depth(), workers_[0]);
   }
@@ -66,6 +71,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
   find_again();
   const std::size_t known = tracks_.size();
   start_tracks();
+  choose_followed();
 
   for (TrackT& t : tracks_) {
     t.mask = t.observed ? *t.observed : t.predicted.mask;
@@ -73,6 +79,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
   }
   paint(far_to_near(), segmented_frame_.ids);
   segmented_frame_.inverse_depth = then.frame.inverse_depth();
+  segmented_frame_.known = then.camera_known;
   T_cur_segmented_ = then.since.T_cur_ref;
 
   std::vector<TrackT*> started = all_tracks();
@@ -83,8 +90,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
     std::swap(then.frame.pyramid, current_.pyramid);
     std::swap(then.frame.depth, current_.depth);
   }
-  history_.drop_before(then.timestamp() + 1e-9);
-  attempt.done = true;
+  history_.drop_through(then);
 }
 
 /// Motion of the object's points since a past frame, the camera's and its own composed.
@@ -100,7 +106,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::adopt(TrackT& object, const Past& 
   if (!object.observed) {
     object.outline_is_newest = false;
     if (object.visible && !object.discovered) object.contradicted = true;
-    object.position = T * object.position;
+    object.position = object.position.moved(T);
     object.T_cur_outline = T * object.T_cur_outline;
     return;
   }
@@ -108,7 +114,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::adopt(TrackT& object, const Past& 
   object.T_cur_outline = T;
   object.outline_is_newest = then.camera_known;
   object.last_seen = std::max(object.last_seen, then.timestamp());
-  object.position = T * (object.observed_centre.z() > 0 ? object.observed_centre : object.position);
+  if (object.observed_centre.z() > 0) object.position = {object.observed_centre, true};
+  object.position = object.position.moved(T);
 
   // Points under the new mask are better than those under the one that was carried on.
   renew_reference(object, then, *object.observed, object.observed_centre);
@@ -124,6 +131,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::adopt(TrackT& object, const Past& 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::renew_reference(TrackT& object, const Past& then, const Mask& mask,
                                                               const Vector3<double>& centre) {
+  if (!object.followed || !then.camera_known) return;
   ObjectReference r = then.since;
   r.T_obj_cur_ref = T_cur_then(object, then);
   if (make_reference(then.frame, mask, centre, workers_[0], r) != Reason::None) return;

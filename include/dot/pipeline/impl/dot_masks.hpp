@@ -18,6 +18,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::predict_tracks() {
   tracks_.drop_if([](const TrackT& t) { return t.lost; });
   const CameraState& c = camera_state_;
   T_cur_segmented_ = c.T_cur_prev * T_cur_segmented_;
+  segmented_frame_.known &= c.known();
   for (Past& p : history_) {
     p.since.advance(c.T_cur_prev, c.covariance, c.alignment.state.gain, c.alignment.state.offset);
     p.camera_known &= c.known();
@@ -33,13 +34,17 @@ void Dot<Camera, Classifier, Noise, Aligner>::predict(TrackT& t, Worker& worker)
   t.segmented = false;
   t.observed = nullptr;
   t.outline_is_newest &= c.known();
+  if (!c.known()) {  // compared with what the camera saw before a guess, all that stands would move
+    t.references.clear();
+    t.no_reference = Reason::CameraLost;
+  }
   for (ObjectReference& r : t.references) {
     r.advance(c.T_cur_prev, c.covariance, c.alignment.state.gain, c.alignment.state.offset);
     if (r.points.take(current_.bias, camera_.width(), camera_.height())) r.centre();
   }
   t.T_o_predicted = SE3d::translation(t.expected_velocity() * current_.dt);
   t.position_before = t.position;
-  t.position = c.T_cur_prev * t.T_o_predicted * t.position;
+  t.position = t.position.moved(c.T_cur_prev * t.T_o_predicted);
   const SE3d T = c.T_cur_prev * t.T_o_predicted * t.T_cur_outline;
   warp_outline(t, T, current_.inverse_depth(), worker);
   t.predicted_by = T;
@@ -53,11 +58,28 @@ void Dot<Camera, Classifier, Noise, Aligner>::warp_outline(TrackT& object, const
   object.predicted_by.reset();
 }
 
-/// The instances of a frame's segmentation, whichever way they came.
+/// Reads the id image, if there is one, as far as is needed to know how many instances there are.
+/// @throws std::invalid_argument naming the field when there are too many.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::count_instances(const char* field, const Masks& masks) {
+  id_runs_.instances = 0;
+  id_runs_.runs.clear();
+  if (masks.ids.data != nullptr) find_runs(masks.ids, id_runs_);
+  const auto most = static_cast<std::size_t>(options_.mask.max_instances);
+  const auto refuse = [&](const char* member, std::size_t count) {
+    bad_field(std::string(field) + member, "has " + std::to_string(count) +
+                                               " instances, more than mask.max_instances, " + std::to_string(most) +
+                                               ": is it an image of something else?");
+  };
+  if (id_runs_.instances > most) refuse(".ids", id_runs_.instances);
+  if (masks.instances.size > most) refuse(".instances", masks.instances.size);
+}
+
+/// The instances of a frame's segmentation, whichever way they came, after `count_instances`.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::read_masks(const Masks& masks, const Image<float>& inverse_depth) {
   if (masks.ids.data != nullptr) {
-    split_ids(masks.ids, split_workspace_, [this](std::uint32_t id) -> Mask& {
+    split_ids(id_runs_, [this](std::uint32_t id) -> Mask& {
       Observed& o = observe();
       o.instance_id = id;
       return o.mask;
@@ -114,12 +136,13 @@ void Dot<Camera, Classifier, Noise, Aligner>::match(const std::vector<TrackT*>& 
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::match(const std::vector<TrackT*>& tracks, bool discovered) {
-  auto& [open, predicted, observed, distance, association] = matching_;
+  auto& [open, predicted, observed, association] = matching_;
   open.clear(), predicted.clear(), observed.clear();
-  const auto inverse = [](const Vector3<double>& centre) { return centre.z() > 0 ? 1 / centre.z() : 0.0; };
-  for (const TrackT* t : tracks) predicted.push_back({&t->predicted.mask, inverse(t->position)});
+  for (const TrackT* t : tracks)
+    predicted.push_back({&t->predicted.mask, t->is_ahead() ? 1 / t->position.at.z() : 0.0});
   for (Observed& o : observed_)
-    if (!o.track && o.discovered == discovered) open.push_back(&o), observed.push_back({&o.mask, inverse(o.centre)});
+    if (!o.track && o.discovered == discovered)
+      open.push_back(&o), observed.push_back({&o.mask, o.centre.z() > 0 ? 1 / o.centre.z() : 0.0});
   if (open.empty() || predicted.empty()) return;
   const std::vector<int>& partner = dot::associate(predicted, observed, options_.mask, association);
   for (std::size_t i = 0; i < open.size(); ++i)
@@ -144,24 +167,25 @@ void Dot<Camera, Classifier, Noise, Aligner>::give(Observed& o, TrackT& t) {
 /// last, so that the outlines do not overlap. Where it is tells: within its size of where it should be.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::find_again() {
-  const std::vector<TrackT*>& hidden = tracks_that([](const TrackT& t) { return !t.observed && t.position.z() > 0; });
-  auto& [open, predicted, observed, distance, association] = matching_;
-  open.clear(), distance.clear();
+  const std::vector<TrackT*>& hidden = tracks_that([](const TrackT& t) { return !t.observed && t.is_ahead(); });
+  auto& [open, predicted, observed, association] = matching_;
+  open.clear(), association.pairs.clear();
   for (Observed& o : observed_)
     if (!o.track && !o.discovered) open.push_back(&o);
-  for (const Observed* o : open) {
-    const Vector3<double>& now = o->centre;
-    for (const TrackT* t : hidden) {
-      const Vector3<double>& then = t->position;
-      const double aside = (now.head<2>() / now.z() - then.head<2>() / then.z()).norm() * now.z() / t->size;
-      const double along =
-          std::abs(now.z() / then.z() - 1) / std::max(options_.mask.depth_tolerance, t->size / now.z());
-      distance.push_back(now.z() > 0 && aside < 1 && along < 1 ? aside + along
-                                                               : std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const Vector3<double>& now = open[i]->centre;
+    if (!(now.z() > 0)) continue;
+    for (std::size_t j = 0; j < hidden.size(); ++j) {
+      const Vector3<double>& then = hidden[j]->position.at;
+      const double size = hidden[j]->size;
+      const double along = std::abs(now.z() / then.z() - 1) / std::max(options_.mask.depth_tolerance, size / now.z());
+      if (!(along < 1)) continue;
+      const double aside = (now.head<2>() / now.z() - then.head<2>() / then.z()).norm() * now.z() / size;
+      if (aside < 1) association.pairs.push_back({static_cast<int>(i), static_cast<int>(j), aside + along});
     }
   }
-  const std::vector<int>& partner =
-      assign(distance, static_cast<int>(open.size()), static_cast<int>(hidden.size()), association.assignment);
+  const std::vector<int>& partner = assign(static_cast<int>(open.size()), static_cast<int>(hidden.size()),
+                                           std::numeric_limits<double>::infinity(), association);
   for (std::size_t i = 0; i < open.size(); ++i)
     if (partner[i] >= 0) give(*open[i], *hidden[static_cast<std::size_t>(partner[i])]);
 }
@@ -173,6 +197,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
   match(tracks_that([](const TrackT& t) { return !t.observed; }));
   find_again();
   start_tracks();
+  choose_followed();
   threads.run(static_cast<int>(tracks_.size()), [this](int worker, int i) {
     place(tracks_[static_cast<std::size_t>(i)], workers_[static_cast<std::size_t>(worker)]);
   });
@@ -181,7 +206,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::place_masks() {
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::place(TrackT& t, Worker& worker) {
   if (t.observed) {
-    if (t.segmented && !t.fit.ok()) look_back(t, worker);
+    if (t.segmented && t.followed && !t.fit.ok()) look_back(t, worker);
     t.mask = *t.observed;
     take_outline(t, current_.inverse_depth(), worker);
     t.T_cur_outline = {};
@@ -198,7 +223,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::place(TrackT& t, Worker& worker) {
   const bool follows = t.discovered ? !t.candidate : !t.contradicted;
   if (t.observed || (follows && t.visible && t.fit.ok())) t.last_seen = current_.timestamp;
   if (!t.visible && !t.may_come_out() && t.fit.ok()) t.fit.reason = Reason::Hidden;
-  const bool was_shown = !t.discovered || t.confirmed > 0 || stands(t);
+  const bool was_shown = !t.discovered || t.confirmed >= kConfirmedSeconds || stands(t);
   if (t.lost || current_.timestamp - t.last_seen > (was_shown ? options_.mask.keep_seconds : kCandidateSeconds)) {
     t.lost = true;
     t.fit.reason = Reason::Lost;
@@ -233,8 +258,13 @@ void Dot<Camera, Classifier, Noise, Aligner>::keep_hidden(TrackT& object, const 
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::start_tracks() {
+  small_instances_ = 0;
   for (Observed& o : observed_) {
     if (o.track) continue;
+    if (!o.discovered && o.mask.area < options_.mask.min_pixels) {
+      ++small_instances_;
+      continue;
+    }
     TrackT& t = tracks_.push_back();
     t.restart(next_id_++);
     t.instance_id = o.instance_id;
@@ -250,6 +280,27 @@ void Dot<Camera, Classifier, Noise, Aligner>::start_tracks() {
     if (t.always_dynamic) t.state = t.last_decided = State::Moving, t.p_moving = 1;
     o.track = &t;
   }
+}
+
+/// The largest objects, up to object.max_fitted, are those whose motion is estimated. Of more than twice as many tracks
+/// as there may be instances, those that were not seen for longest are dropped.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::choose_followed() {
+  const auto most = static_cast<std::size_t>(options_.object.max_fitted);
+  const auto most_tracks = 2 * static_cast<std::size_t>(options_.mask.max_instances);
+  for (TrackT& t : tracks_) t.followed = true;
+  if (tracks_.size() <= most) return;
+  const auto area = [](const TrackT* t) { return t->observed ? t->observed->area : t->predicted.mask.area; };
+  std::vector<TrackT*>& order = all_tracks();
+  std::sort(order.begin(), order.end(),
+            [&](const TrackT* l, const TrackT* r) { return area(l) != area(r) ? area(l) > area(r) : l->id < r->id; });
+  for (std::size_t i = most; i < order.size(); ++i) order[i]->followed = false;
+  if (order.size() <= most_tracks) return;
+  std::sort(order.begin(), order.end(), [](const TrackT* l, const TrackT* r) {
+    const bool l_seen = l->observed, r_seen = r->observed;
+    return std::make_tuple(l_seen, l->last_seen, l->id) > std::make_tuple(r_seen, r->last_seen, r->id);
+  });
+  for (std::size_t i = most_tracks; i < order.size(); ++i) order[i]->lost = true;
 }
 
 /// Within which inverse depths of one surface agree, measured in two frames: relative, three sigmas.
@@ -304,6 +355,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label() {
   if (std::exchange(segmented_before_, segmented_)) {
     std::swap(segmented_frame_.ids, ids_);
     std::swap(segmented_frame_.inverse_depth, previous_.depth.levels[0]);
+    segmented_frame_.known = camera_state_.known();
   }
   labels_.resize(camera_.width(), camera_.height());
   labels_.fill(0);
@@ -318,7 +370,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label() {
   for (auto i = order.rbegin(); i != order.rend(); ++i) {
     TrackT& t = **i;
     std::array<int, 4> box = t.mask.box();
-    if (!t.observed && t.outline_is_newest) show_new_parts(t, box);
+    if (!t.observed && t.outline_is_newest && segmented_frame_.known) show_new_parts(t, box);
     crop_ids<std::uint32_t>(ids_.view(), t.id, box, t.mask);
     t.visible = !t.mask.empty();
     if (!t.visible && t.fit.ok()) t.fit.reason = Reason::Hidden;

@@ -86,7 +86,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::follow(TrackT& object, Worker& wor
 
   const auto fit_to = [&](const ObjectReference& reference) {
     const double age = current_.timestamp - reference.timestamp;
-    set_starts(object, reference, worker.starts);
+    set_starts(object, reference, worker);
     if (!object.has_motion && &reference == &object.references.front())
       object_estimator.search(reference, scene, age, noise, worker.aligner, worker.minima, worker.starts);
     return object_estimator.fit(reference, scene, worker.starts, known_velocity(object, reference), age, noise,
@@ -183,7 +183,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::look_back(TrackT& object, Worker& 
   // Of what was carried here by the motion expected before.
   const SE3d correction = T_c * object.fit.T_o * object.T_o.inverse() * T_prev_cur;
   for (ObjectReference& older : object.references) older.T_obj_cur_ref = correction * older.T_obj_cur_ref;
-  if (object.position.z() > 0) object.position = correction * object.position;
+  object.position = object.position.moved(correction);
   object.T_o = object.fit.T_o;
   object.has_motion = true;
   object.T_o_last = T_c * object.T_o * T_prev_cur;
@@ -210,8 +210,9 @@ KnownVelocity Dot<Camera, Classifier, Noise, Aligner>::known_velocity(const Trac
 /// and where a network mask shows it.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::set_starts(const TrackT& object, const ObjectReference& r,
-                                                         std::vector<SE3d>& out) const {
+                                                         Worker& worker) const {
   const SE3d& T_c = camera_state_.T_cur_prev;
+  std::vector<SE3d>& out = worker.starts;
   out.clear();
   const double focal = camera_.intrinsics().fx;
   const auto add = [&](const SE3d& T_o) {
@@ -234,11 +235,19 @@ void Dot<Camera, Classifier, Noise, Aligner>::set_starts(const TrackT& object, c
     const double size = mask.area * now.z() * now.z() / (std::max(1, r.area) * r.anchor.z() * r.anchor.z());
     if (size > 0.3 && size < 3.3) add(SE3d::translation(d));
   };
-  if (object.observed)
-    add_observed(*object.observed, object.observed_centre);
-  else
-    for (const Observed& o : observed_)
-      if (!o.track && o.discovered == object.discovered) add_observed(o.mask, o.centre);
+  if (object.observed) return add_observed(*object.observed, object.observed_centre);
+  // Of masks that are of no track yet those nearest to where it should be, each of which costs an alignment.
+  auto& nearest = worker.nearest;
+  nearest.clear();
+  const Vector3<double> expected = T_c * object.T_o_predicted * r.T_obj_cur_ref * r.anchor;
+  for (const Observed& o : observed_)
+    if (!o.track && o.discovered == object.discovered && o.centre.z() > 0)
+      nearest.push_back({(o.centre - expected).squaredNorm(), &o});
+  if (nearest.size() > kNearestMasks) {
+    std::nth_element(nearest.begin(), nearest.begin() + kNearestMasks - 1, nearest.end());
+    nearest.resize(kNearestMasks);
+  }
+  for (const auto& [distance, o] : nearest) add_observed(o->mask, o->centre);
 }
 
 /// Centre of a mask at its median depth, axes of its frame's camera; zero where it has no depth.
@@ -271,9 +280,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::decide(TrackT& object, const Matri
     const KnownVelocity before{object.velocity, object.velocity_covariance, current_.timestamp - object.last_fit};
     const bool agrees =
         object.has_velocity() && !before.contradicts(object.fit.motion, object_estimator.settings.max_acceleration);
-    if (object.trust.accept(agrees)) object.last_fit = current_.timestamp;
+    if (object.trust.accept(agrees, current_.dt)) object.last_fit = current_.timestamp;
   } else if (object.fit.reason == Reason::Implausible) {
-    object.trust.refuse();
+    object.trust.refuse(current_.dt);
   }
   if (object.discovered) confirm(object);
   const Decision d = classifier(object.memory, object.has_decisive ? &object.decisive : nullptr, R_cur_fit, dt);
@@ -292,7 +301,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object, Worker& wo
   const SE3d& T_c = camera_state_.T_cur_prev;
   const bool fitted = object.fit.ok();
   for (ObjectReference& r : object.references) r.T_obj_cur_ref = T_c * object.T_o * r.T_obj_cur_ref;
-  object.position = T_c * object.T_o * object.position_before;
+  if (object.position_before.known) object.position = object.position_before.moved(T_c * object.T_o);
   const SE3d T_outline = object.state == State::Static ? SE3d{} : object.T_o_outline;
   object.T_cur_outline = T_c * T_outline * object.T_cur_outline;
   object.path.advance(T_c, T_outline);

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+#include "dot/mask/hungarian.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// A pair of a row and a column that may be made.
+struct PossiblePair {
+  int row = 0, column = 0;
+  double cost = 0;
+  int group = 0;  ///< set by `assign`
+};
+
+/// Buffers of the `assign` below, and its input.
+struct SparseAssignWorkspace {
+  std::vector<PossiblePair> pairs;  ///< to be filled in by the caller; sorted by `assign`
+  std::vector<int> partner;         ///< of each row: the result
+  std::vector<int> group, columns;
+  std::vector<double> cost;
+  std::vector<char> possible;
+  AssignWorkspace dense;
+};
+
+/// Minimal-cost assignment where few of all pairs are possible. Rows and columns that no chain of possible pairs
+/// connects do not influence each other, so each connected group is a small problem of its own: n masks that each
+/// overlap a few others take O(n log n) instead of O(n^3).
+/// @param absent the cost of a pair that is not in workspace.pairs. Finite: leaving a row and a column without partners
+/// costs that much. Infinite: as many pairs as possible are made.
+/// @return the column of each row, or -1; in `workspace`, valid until its next use.
+inline const std::vector<int>& assign(int rows, int columns, double absent, SparseAssignWorkspace& workspace) {
+  auto& [pairs, partner, group, own_columns, cost, possible, dense] = workspace;
+  partner.assign(static_cast<std::size_t>(rows), -1);
+  group.resize(static_cast<std::size_t>(rows + columns));
+  std::iota(group.begin(), group.end(), 0);
+  const auto root_of = [&groups = group](int i) {
+    const auto at = [&groups](int k) -> int& { return groups[static_cast<std::size_t>(k)]; };
+    while (at(i) != i) i = at(i) = at(at(i));
+    return i;
+  };
+  for (const PossiblePair& p : pairs) group[static_cast<std::size_t>(root_of(p.row))] = root_of(rows + p.column);
+  for (PossiblePair& p : pairs) p.group = root_of(p.row);
+  std::sort(pairs.begin(), pairs.end(), [](const PossiblePair& a, const PossiblePair& b) {
+    return std::tie(a.group, a.row, a.column) < std::tie(b.group, b.row, b.column);
+  });
+
+  for (auto first = pairs.begin(), last = first; first != pairs.end(); first = last) {
+    own_columns.clear();
+    std::size_t n = 0;
+    for (last = first; last != pairs.end() && last->group == first->group; ++last) {
+      n += last == first || last->row != (last - 1)->row;
+      own_columns.push_back(last->column);
+    }
+    std::sort(own_columns.begin(), own_columns.end());
+    own_columns.erase(std::unique(own_columns.begin(), own_columns.end()), own_columns.end());
+    const std::size_t m = own_columns.size();
+    cost.assign(n * m, absent);
+    possible.assign(n * m, 0);
+    std::size_t row = 0;
+    for (auto p = first; p != last; ++p) {
+      row += p != first && p->row != (p - 1)->row;
+      const auto column = std::lower_bound(own_columns.begin(), own_columns.end(), p->column) - own_columns.begin();
+      const std::size_t at = row * m + static_cast<std::size_t>(column);
+      cost[at] = p->cost;
+      possible[at] = 1;
+    }
+    const std::vector<int>& found = assign(cost, static_cast<int>(n), static_cast<int>(m), dense);
+    row = 0;
+    for (auto p = first; p != last; ++p) {
+      if (p != first && p->row == (p - 1)->row) continue;
+      const int column = found[row];
+      if (column >= 0 && possible[row * m + static_cast<std::size_t>(column)])
+        partner[static_cast<std::size_t>(p->row)] = own_columns[static_cast<std::size_t>(column)];
+      ++row;
+    }
+  }
+  return partner;
+}
+
+DOT_END_NAMESPACE

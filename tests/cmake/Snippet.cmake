@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+
+# Code that is printed in a page of the documentation: the fenced block that follows the line `<!-- snippet: <name> -->`.
+# Pages are paths below the project's folder.
+
+# Stores the text of a block in `out`, without the line break at its end.
+function(dot_snippet page name language out)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${page}")
+  file(READ "${PROJECT_SOURCE_DIR}/${page}" text)
+  set(opening "<!-- snippet: ${name} -->\n```${language}\n")
+  string(FIND "${text}" "${opening}" begin)
+  if(begin EQUAL -1)
+    message(FATAL_ERROR "${page} has no block '<!-- snippet: ${name} -->' followed by ```${language}")
+  endif()
+  string(LENGTH "${opening}" length)
+  math(EXPR begin "${begin} + ${length}")
+  string(SUBSTRING "${text}" ${begin} -1 text)
+  string(FIND "${text}" "\n```" end)
+  if(end EQUAL -1)
+    message(FATAL_ERROR "${page}: the block '${name}' does not end")
+  endif()
+  string(SUBSTRING "${text}" 0 ${end} text)
+  set(${out} "${text}" PARENT_SCOPE)
+endfunction()
+
+# Writes `text` to `file`, unless that is what it holds.
+function(dot_write file text)
+  file(CONFIGURE OUTPUT "${file}" CONTENT "@text@\n" @ONLY)
+endfunction()
+
+# Stores in `out` the language of the block that a file takes.
+function(dot_snippet_language file out)
+  if(file MATCHES "CMakeLists.txt$")
+    set(${out} cmake PARENT_SCOPE)
+  elseif(file MATCHES "\\.rs$")
+    set(${out} rust PARENT_SCOPE)
+  elseif(file MATCHES "\\.py$")
+    set(${out} python PARENT_SCOPE)
+  else()
+    set(${out} cpp PARENT_SCOPE)
+  endif()
+endfunction()
+
+# dot_follow_guide(<page> <folder> <out> NEW <name> <file> ...): copies the project in `folder` to `out` and changes it
+# as the page says. What lies between the lines `snippet: <name>` and `end of snippet` of its files is replaced by the
+# block of that name; those named after NEW become files of their own. Every block of the page has to be used.
+function(dot_follow_guide page folder out)
+  cmake_parse_arguments(PARSE_ARGV 3 arg "" "" NEW)
+  file(READ "${PROJECT_SOURCE_DIR}/${page}" text)
+  string(REGEX MATCHALL "<!-- snippet: [a-z0-9_]+ -->" unused "${text}")
+  list(TRANSFORM unused REPLACE "<!-- snippet: (.*) -->" "\\1")
+
+  set(files ${arg_NEW})
+  while(files)
+    list(POP_FRONT files name file)
+    dot_snippet_language("${file}" language)
+    dot_snippet("${page}" ${name} ${language} text)
+    dot_write("${out}/${file}" "${text}")
+    list(REMOVE_ITEM unused ${name})
+  endwhile()
+
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE "${folder}" "${folder}/*")
+  foreach(file IN LISTS files)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${folder}/${file}")
+    dot_snippet_language("${file}" language)
+    file(READ "${folder}/${file}" rest)
+    set(text "")
+    while(rest MATCHES "(\n[ \t]*(#|//) snippet: ([a-z0-9_]+)\n)")
+      set(opening "${CMAKE_MATCH_1}")
+      set(name ${CMAKE_MATCH_3})
+      string(FIND "${rest}" "${opening}" begin)
+      string(SUBSTRING "${rest}" 0 ${begin} before)
+      dot_snippet("${page}" ${name} ${language} snippet)
+      string(APPEND text "${before}\n${snippet}\n")
+      list(REMOVE_ITEM unused ${name})
+      string(FIND "${rest}" "end of snippet\n" end)
+      if(end LESS begin)
+        message(FATAL_ERROR "${folder}/${file}: the place of '${name}' does not end")
+      endif()
+      string(SUBSTRING "${rest}" ${end} -1 rest)
+      string(FIND "${rest}" "\n" end)
+      math(EXPR end "${end} + 1")
+      string(SUBSTRING "${rest}" ${end} -1 rest)
+    endwhile()
+    string(APPEND text "${rest}")
+    string(REGEX REPLACE "\n$" "" text "${text}")
+    dot_write("${out}/${file}" "${text}")
+  endforeach()
+  if(unused)
+    message(FATAL_ERROR "${page}: nothing in ${folder} takes the blocks ${unused}")
+  endif()
+endfunction()

@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+"""guide.py EXAMPLE_FOLDER: the code of docs/embedding/python.md on the frames of the example, by a Unix clock."""
+
+import sys
+
+import numpy as np
+
+sys.path.insert(0, sys.argv[1])
+from demo import FOCAL, HEIGHT, WIDTH, draw  # noqa: E402
+from dot_ctypes import MOVING, STATIC, Camera  # noqa: E402
+from exclusion import Exclusion  # noqa: E402
+
+fx = fy = FOCAL
+cx, cy, width, height = (WIDTH - 1) / 2, (HEIGHT - 1) / 2, WIDTH, HEIGHT
+
+
+def recorded():
+    for i in range(10):
+        grey, depth, ids = draw(i)
+        yield 1.7e9 + 0.1 * i, np.dstack((grey, grey, grey)), depth, ids if i % 3 == 0 else None
+
+
+frames = recorded()
+# snippet: python_use
+# end of snippet
+
+slid = np.s_[100:150, 170 + 4 * 9 + 20:170 + 4 * 9 + 60]
+assert (excluded[slid] == 255).all() and (allowed[slid] == 0).all()
+assert (excluded[100:150, 60:100] == 0).all() and (excluded[:60] == 0).all()
+assert sorted(exclusion.states().values()) == [STATIC, MOVING]
+assert (exclusion.mask(1.7e9, image, depth) == 0).all()  # a frame that came before
+assert (exclusion.mask(1.7e9 + 1, image, depth[:9]) == 0).all()
+assert (exclusion.mask(1.7e9 + 1, image[:, :, ::-1], depth, ids)[slid] == 255).all()

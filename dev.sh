@@ -21,9 +21,11 @@ usage: ./dev.sh VERB
   format     format all C++ and C files in place
   lint       formatting, clang-tidy, versions; changes nothing
   versions   check that version.hpp, dot.h, vcpkg.json and CHANGELOG.md name the same version
-  sanitize   run the tests with the address and undefined-behaviour sanitizers
+  sanitize   run the tests with the address and undefined-behaviour sanitizers, those of threads with the thread sanitizer
+  fuzz       hand generated inputs to the C library and to the readers, 60 seconds each or "fuzz SECONDS";
+             "fuzz coverage" tells which lines the inputs in tests/fuzz/corpus reach
   abi        compare the C library's binary interface with capi/abi; "abi accept" writes the present one there
-  soak       10,000 trackers made and destroyed under the address sanitizer, two at once under the thread sanitizer
+  soak       10,000 trackers made and destroyed under the address sanitizer
   help       this text
 
 Debian and Ubuntu packages that are missing are installed (as root, or through sudo). Elsewhere install them yourself:
@@ -154,13 +156,73 @@ lint() {
   git ls-files 'src/*.cpp' 'capi/*.cpp' 'examples/*.cpp' | xargs -P "$jobs" -n 1 clang-tidy -p "$build" --quiet
 }
 
-sanitize() {
+# sanitize_with PRESET [TARGET...]: builds with that preset's sanitizers.
+sanitize_with() {
   need_compiler
-  say "building with sanitizers"
-  cmake --preset asan-ubsan
-  cmake --build --preset asan-ubsan --parallel "$jobs"
-  say "testing with sanitizers"
+  say "building in build-$1"
+  cmake --preset "$1" >/dev/null
+  cmake --build --preset "$1" --parallel "$jobs" --target "${@:2}"
+}
+
+sanitize() {
+  sanitize_with asan-ubsan all
+  say "testing with the address and undefined-behaviour sanitizers"
   ctest --preset asan-ubsan -j2
+  sanitize_with tsan test_trackers_at_once test_threads_test
+  say "testing with the thread sanitizer"
+  # Without OpenCV's threads, says the preset: its pool is not built for this sanitizer, which cannot see how it
+  # synchronises.
+  ctest --preset tsan
+}
+
+# fuzz [SECONDS]: from the inputs that are checked in; what is found on the way stays in the build's folder.
+fuzz() {
+  need_compiler
+  need clang llvm libclang-rt-dev
+  if [ "${1:-}" = coverage ]; then
+    fuzz_coverage
+    return
+  fi
+  local seconds=${1:-60} harness log found=() out=$root/build-fuzz harnesses=()
+  [[ $seconds =~ ^[1-9][0-9]*$ ]] || fail "fuzz: a number of seconds, or coverage"
+  mapfile -t harnesses < <(ls tests/fuzz/corpus)
+  say "building the fuzzers in $out"
+  cmake --preset fuzz >/dev/null
+  cmake --build --preset fuzz --parallel "$jobs" --target "${harnesses[@]/#/fuzz_}"
+  for harness in "${harnesses[@]}"; do
+    say "fuzzing $harness for $seconds s"
+    log=$out/fuzz_$harness.log
+    mkdir -p "$out/corpus/$harness" "$out/findings"
+    "$out/tests/fuzz/fuzz_$harness" -max_total_time="$seconds" -timeout=300 -rss_limit_mb=3000 -print_final_stats=1 \
+      -artifact_prefix="$out/findings/$harness-" "$out/corpus/$harness" "tests/fuzz/corpus/$harness" \
+      >"$log" 2>&1 || found+=("$harness: $(sed -n 's/.*Test unit written to //p' "$log" | head -1), told in $log")
+    sed -n 's/^stat::number_of_executed_units: */executions: /p; /^frames tracked: /p' "$log"
+  done
+  [ ${#found[@]} -eq 0 ] || fail "found something: $(printf '%s\n' "${found[@]}")"
+  echo "nothing found"
+}
+
+# Of the library's lines, by the inputs that are checked in.
+fuzz_coverage() {
+  local harness programs=() out=$root/build-coverage harnesses=()
+  mapfile -t harnesses < <(ls tests/fuzz/corpus)
+  say "building the harnesses in $out"
+  cmake --preset coverage >/dev/null
+  cmake --build --preset coverage --parallel "$jobs" --target "${harnesses[@]/#/test_fuzz_}"
+  rm -rf "$out/profiles"
+  for harness in "${harnesses[@]}"; do
+    say "replaying $harness"
+    LLVM_PROFILE_FILE=$out/profiles/$harness.profraw "$out/tests/fuzz/test_fuzz_$harness" \
+      "tests/fuzz/corpus/$harness" | tail -n 2
+    [ ${#programs[@]} -eq 0 ] || programs+=(-object)
+    programs+=("$out/tests/fuzz/test_fuzz_$harness")
+  done
+  llvm-profdata merge -o "$out/all.profdata" "$out"/profiles/*.profraw
+  say "lines of include/dot and capi, of functions that are part of a program"
+  llvm-cov report "${programs[@]}" -instr-profile="$out/all.profdata" -show-region-summary=false \
+    -show-branch-summary=false include/dot capi | awk '
+      $NF ~ /%$/ { printf "%-48s %6d lines %6d missed %8s\n", $1, $(NF - 2), $(NF - 1), $NF; total = $NF }
+      END { exit total + 0 < 80 }' || fail "the inputs in tests/fuzz/corpus reach less than 80 % of the lines"
 }
 
 # abi [accept]: a change of the binary interface is a decision, and shows as one in a diff.
@@ -185,22 +247,11 @@ abi() {
   fi
 }
 
-# soak: the C library alone, with sanitizers, in a process that does nothing else for a while.
+# soak: the C library alone, in a process that does nothing else for a while.
 soak() {
-  need_compiler
-  local sanitizer
-  for sanitizer in address thread; do
-    say "building the C library's tests with -fsanitize=$sanitizer"
-    local flags="-fsanitize=$sanitizer -fno-omit-frame-pointer"
-    cmake -S "$root" -B "$root/build-soak-$sanitizer" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DDOT_BUILD_BENCH=OFF \
-      -DDOT_BUILD_EXAMPLES=OFF -DDOT_INSTALL=OFF -DCMAKE_C_FLAGS="$flags" -DCMAKE_CXX_FLAGS="$flags" >/dev/null
-    cmake --build "$root/build-soak-$sanitizer" --parallel "$jobs" --target test_cycles_test test_threads_test
-  done
+  sanitize_with asan-ubsan test_cycles_test
   say "10,000 trackers"
-  "$root/build-soak-address/tests/test_cycles_test" 10000
-  say "two trackers in two threads, and one in two"
-  # One thread for OpenCV: its pool is not built for the sanitizer, which therefore cannot see how it synchronises.
-  OPENCV_FOR_THREADS_NUM=1 "$root/build-soak-thread/tests/test_threads_test"
+  "$root/build-asan-ubsan/tests/test_cycles_test" 10000
   echo "nothing found"
 }
 
@@ -213,6 +264,7 @@ case $verb in
   format) format ;;
   lint) lint ;;
   sanitize) sanitize ;;
+  fuzz) fuzz "$@" ;;
   abi) abi "$@" ;;
   soak) soak ;;
   versions) versions ;;

@@ -24,8 +24,15 @@ namespace {
 std::atomic<bool> counting{false};
 std::atomic<long> allocations{0};
 
-void note() {
+std::atomic<bool> short_of_memory{false}, shortage_lasts{false};
+std::atomic<long> left{0};  // allocations that still succeed
+
+/// Notes an allocation. @return whether it succeeds.
+bool granted() {
   if (counting.load(std::memory_order_relaxed)) allocations.fetch_add(1, std::memory_order_relaxed);
+  if (!short_of_memory.load(std::memory_order_relaxed)) return true;
+  const long before = left.fetch_sub(1, std::memory_order_relaxed);
+  return before > 0 || (before < 0 && !shortage_lasts.load(std::memory_order_relaxed));
 }
 
 }  // namespace
@@ -45,6 +52,14 @@ bool AllocationCounter::sees_malloc() { return true; }
 bool AllocationCounter::sees_malloc() { return false; }
 #endif
 
+MemoryShortage::MemoryShortage(long first, Duration duration) {
+  left = first;
+  shortage_lasts = duration == Lasting;
+  short_of_memory = true;
+}
+bool MemoryShortage::reached() const { return left < 0; }
+void MemoryShortage::end() { short_of_memory = false; }
+
 }  // namespace dot::test
 
 #ifdef DOT_COUNTS_MALLOC
@@ -57,30 +72,25 @@ void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* memory, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 
-void* malloc(std::size_t size) {
-  note();
-  return __libc_malloc(size);
+static void* none() {
+  errno = ENOMEM;
+  return nullptr;
 }
-void* calloc(std::size_t count, std::size_t size) {
-  note();
-  return __libc_calloc(count, size);
-}
-void* realloc(void* memory, std::size_t size) {
-  note();
-  return __libc_realloc(memory, size);
-}
+
+void* malloc(std::size_t size) { return granted() ? __libc_malloc(size) : none(); }
+void* calloc(std::size_t count, std::size_t size) { return granted() ? __libc_calloc(count, size) : none(); }
+void* realloc(void* memory, std::size_t size) { return granted() ? __libc_realloc(memory, size) : none(); }
 void* memalign(std::size_t alignment, std::size_t size) {
-  note();
-  return __libc_memalign(alignment, size);
+  return granted() ? __libc_memalign(alignment, size) : none();
 }
 void* aligned_alloc(std::size_t alignment, std::size_t size) {
-  note();
-  return __libc_memalign(alignment, size);
+  return granted() ? __libc_memalign(alignment, size) : none();
 }
 int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
-  note();
-  *memory = __libc_memalign(alignment, size);
-  return *memory != nullptr ? 0 : ENOMEM;
+  void* const out = granted() ? __libc_memalign(alignment, size) : nullptr;
+  if (out == nullptr) return ENOMEM;
+  *memory = out;
+  return 0;
 }
 
 }  // extern "C"
@@ -89,8 +99,8 @@ int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
 
 // The other forms of new call these two.
 void* operator new(std::size_t size) {
-  note();
-  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  if (granted())
+    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
   throw std::bad_alloc();
 }
 void operator delete(void* memory) noexcept { std::free(memory); }

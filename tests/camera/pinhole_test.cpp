@@ -156,23 +156,23 @@ TEST(PinholeArguments, BadOnesAreNamed) {
     changed.*field = value;
     return complaint(changed);
   };
-  for (const double bad : {0.0, -1.0, nan, infinity, -infinity}) {
-    EXPECT_EQ(with(&Intrinsics::fx, bad), "intrinsics.fx must be finite and > 0");
-    EXPECT_EQ(with(&Intrinsics::fy, bad), "intrinsics.fy must be finite and > 0");
+  for (const double bad : {0.0, -1.0, nan, infinity, -infinity, 1e-300, 1e300}) {
+    EXPECT_EQ(with(&Intrinsics::fx, bad), "intrinsics.fx must be 1 to 1e6 pixels");
+    EXPECT_EQ(with(&Intrinsics::fy, bad), "intrinsics.fy must be 1 to 1e6 pixels");
   }
-  for (const double bad : {nan, infinity, -infinity}) {
-    EXPECT_EQ(with(&Intrinsics::cx, bad), "intrinsics.cx must be finite");
-    EXPECT_EQ(with(&Intrinsics::cy, bad), "intrinsics.cy must be finite");
+  for (const double bad : {nan, infinity, -infinity, 1e300}) {
+    EXPECT_EQ(with(&Intrinsics::cx, bad), "intrinsics.cx must be finite, at most 1e6 pixels");
+    EXPECT_EQ(with(&Intrinsics::cy, bad), "intrinsics.cy must be finite, at most 1e6 pixels");
   }
-  for (const double bad : {-0.1, nan, infinity})
-    EXPECT_EQ(with(&Intrinsics::baseline, bad), "intrinsics.baseline must be finite and >= 0");
-  for (const int bad : {15, 0, -640}) {
+  for (const double bad : {-0.1, nan, infinity, 1e-300, 1e5})
+    EXPECT_EQ(with(&Intrinsics::baseline, bad), "intrinsics.baseline must be 0 or 1e-4 to 1e3 metres");
+  for (const int bad : {15, 0, -640, 1 << 30}) {
     Intrinsics changed = street;
     changed.width = bad;
-    EXPECT_EQ(complaint(changed), "intrinsics.width must be >= 16");
+    EXPECT_EQ(complaint(changed), "intrinsics.width must be 16 to 32768");
     changed = street;
     changed.height = bad;
-    EXPECT_EQ(complaint(changed), "intrinsics.height must be >= 16");
+    EXPECT_EQ(complaint(changed), "intrinsics.height must be 16 to 32768");
   }
 }
 

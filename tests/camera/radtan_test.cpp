@@ -199,7 +199,7 @@ TEST(RadTanArguments, BadOnesAreNamed) {
     }
   Intrinsics bad = room;
   bad.fy = -1;
-  EXPECT_EQ(complaint(bad, none), "intrinsics.fy must be finite and > 0");
+  EXPECT_EQ(complaint(bad, none), "intrinsics.fy must be 1 to 1e6 pixels");
 }
 
 TEST(RadTanArguments, GoodOnesAreKept) {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "sequence/errors.hpp"
+#include "sequence/fields.hpp"
 #include "sequence/text.hpp"
 
 namespace eval {

@@ -117,6 +117,7 @@ void run(const Arguments& arguments, const std::filesystem::path& folder, const 
     frame_done(i + 1, sequence.size());
   }
 
+  if (writer) writer->finish();
   score.frames = sequence.size();
   score.camera = camera.score();
   if (!objects.score().sightings.empty() || !objects.score().pixels.empty()) {

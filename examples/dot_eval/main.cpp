@@ -8,9 +8,9 @@
 #include <cstddef>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -21,6 +21,7 @@
 #include "progress.hpp"
 #include "report.hpp"
 #include "sequence/errors.hpp"
+#include "sequence/output_file.hpp"
 #include "text_table.hpp"
 
 namespace {
@@ -58,31 +59,27 @@ std::vector<RunScore> evaluate_all(const Arguments& arguments) {
   return runs;
 }
 
-template <typename Write>
-void write_file(const std::filesystem::path& path, Write&& write) {
-  std::ofstream stream(path, std::ios::binary);
-  write(stream);
-  if (!stream.flush()) throw runner::FileError(path.string() + ": cannot be written");
-}
-
 /// @return whether every sequence could be measured.
 bool run(const Arguments& arguments) {
   // What is wrong with the settings is wrong for every sequence, and is told at once.
-  tracker_options(arguments.run, dot::DepthSource::Unknown);
-  for (const std::filesystem::path& path : {arguments.json, arguments.html})
-    if (!path.empty()) write_file(path, [](std::ostream&) {});
-  cv::setNumThreads(arguments.run.threads);
+  cv::setNumThreads(tracker_options(arguments.run, dot::DepthSource::Unknown).threads);
+  std::optional<runner::OutputFile> json, html;
+  if (!arguments.json.empty()) json.emplace(arguments.json);
+  if (!arguments.html.empty()) html.emplace(arguments.html);
 
   const std::vector<RunScore> runs = evaluate_all(arguments);
   std::vector<Pooled> pooled;
   for (const int every : arguments.rates) pooled.push_back(pool(runs, every, arguments.rates[0]));
   std::printf("%s", text_table(runs, pooled).c_str());
-  if (!arguments.json.empty())
-    write_file(arguments.json, [&](std::ostream& out) {
-      report(arguments, runs, pooled).write(out);
-      out << '\n';
-    });
-  if (!arguments.html.empty()) write_file(arguments.html, [&](std::ostream& out) { out << html_page(runs, pooled); });
+  if (json) {
+    report(arguments, runs, pooled).write(json->stream());
+    json->stream() << '\n';
+    json->finish();
+  }
+  if (html) {
+    html->stream() << html_page(runs, pooled);
+    html->finish();
+  }
   return std::all_of(runs.begin(), runs.end(), [](const RunScore& run) { return run.error.empty(); });
 }
 

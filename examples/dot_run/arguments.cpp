@@ -14,9 +14,10 @@ Labels the objects of a recorded sequence as static, moving or not observable.
 
 SEQ holds rgb/, depth/ or right/, masks/ and intrinsics.txt, or is a recording of KITTI, Virtual KITTI 2
 or TUM RGB-D, see docs/recordings.md. OUT receives labels/, instances/, camera.txt, objects.csv and
-timing.csv.
+timing.csv; the tables end in .partial until the last frame is done.
 
-  --out OUT                 folder for the results, made if it does not exist
+  --out OUT                 folder for the results, made if it does not exist; those of an earlier run in it
+                            are removed
   --mask-every K            use only the masks of frames 0, K, 2K, ... (default 1)
   --mask-delay N            hand a frame's masks over only after N further frames, as if a network had taken
                             that long (default 0: with their frame)

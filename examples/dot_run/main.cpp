@@ -22,13 +22,13 @@ namespace {
 using namespace runner;
 
 void run(const Arguments& arguments) {
-  cv::setNumThreads(arguments.run.threads);
   const SequenceOptions& source = arguments.run.sequence;
   Sequence sequence(source);
   const dot::Options options = tracker_options(arguments.run, sequence.depth_source());
+  cv::setNumThreads(options.threads);
   dot::Tracker tracker(sequence.intrinsics(), options);
   ResultWriter writer(arguments.output, source.folder);
-  Summary summary;
+  Summary summary(source);
   std::printf("sequence  %s: %d frames, %dx%d, depth %s (%s)\n", source.folder.c_str(), sequence.size(),
               sequence.intrinsics().width, sequence.intrinsics().height,
               sequence.stereo() ? "computed from the stereo pair" : "from files",
@@ -48,11 +48,12 @@ void run(const Arguments& arguments) {
         tracker.submit_masks(then.id, *then.masks);
       const std::chrono::duration<double, std::milli> total = std::chrono::steady_clock::now() - start;
       writer.write(frame, result, total.count());
-      summary.add(result, total.count());
+      summary.add(frame, result, total.count());
       progress.show(i + 1, result, total.count());
       if (i >= delay) frames.pop_front();
     }
   }
+  writer.finish();
   summary.print(arguments.output);
 }
 

@@ -11,6 +11,8 @@
 #include <numeric>
 #include <string>
 
+#include "sequence/entries.hpp"
+
 namespace runner {
 namespace {
 
@@ -49,13 +51,26 @@ void Progress::show(int done, const dot::Result& result, double total_ms) {
   std::fflush(stdout);
 }
 
-void Summary::add(const dot::Result& result, double total_ms) {
+void Summary::add(const SequenceFrame& frame, const dot::Result& result, double total_ms) {
+  if (!frame.ids.empty()) ++segmented_;
   total_ms_.push_back(total_ms);
   if (result.camera.status == dot::CameraStatus::Lost || result.camera.status == dot::CameraStatus::TooLittleDepth)
     ++camera_lost_;
   disparity_bias_px_ = result.disparity_bias_px;
   for (const dot::ObjectResult& object : result.objects)
     if (object.area > 0) last_decided_[object.id] = object.last_decided;
+}
+
+void Summary::print_masks() const {
+  const std::filesystem::path folder = source_.folder / source_.mask_dir;
+  std::printf("masks     ");
+  if (segmented_ > 0)
+    std::printf("in %d of %zu frames\n", segmented_, total_ms_.size());
+  else if (!is_there(folder))
+    std::printf("none: there is no folder %s; without masks objects are found with --discover alone\n", folder.c_str());
+  else
+    std::printf("none in these frames: of %s only those of frames 0, %d, %d, ... were wanted\n", folder.c_str(),
+                source_.mask_every, 2 * source_.mask_every);
 }
 
 void Summary::print(const OutputOptions& output) const {
@@ -69,7 +84,9 @@ void Summary::print(const OutputOptions& output) const {
 
   std::printf("frames    %zu", total_ms_.size());
   if (camera_lost_ > 0) std::printf(", camera motion not found in %d", camera_lost_);
-  std::printf("\nobjects   %zu: %ld moving, %ld static, %ld never decided (as last decided)\n", last_decided_.size(),
+  std::printf("\n");
+  print_masks();
+  std::printf("objects   %zu: %ld moving, %ld static, %ld never decided (as last decided)\n", last_decided_.size(),
               moving, standing, undecided);
   if (disparity_bias_px_ >= 0.05)
     std::printf("depth     disparities off by %.2f px (RMS over the image, as learnt); corrected\n",
@@ -87,7 +104,7 @@ void Summary::print(const OutputOptions& output) const {
   std::printf("results   %s\n", out.c_str());
   std::printf("          labels/ instances/ %scamera.txt objects.csv timing.csv\n", output.overlay ? "overlay/ " : "");
   if (!output.masks_out.empty())
-    std::printf("masks     %s: mask_dot/ mask_all/\n",
+    std::printf("masks out %s: mask_dot/ mask_all/\n",
                 std::filesystem::absolute(output.masks_out).lexically_normal().c_str());
 }
 

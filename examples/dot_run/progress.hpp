@@ -30,12 +30,19 @@ class Progress {
 /// What a run comes to.
 class Summary {
  public:
-  void add(const dot::Result& result, double total_ms);
+  explicit Summary(const SequenceOptions& source) : source_(source) {}
 
-  /// Prints frames, objects by state, what was wrong with the depth, times and where the outputs lie.
+  void add(const SequenceFrame& frame, const dot::Result& result, double total_ms);
+
+  /// Prints frames, how many of them had masks, objects by state, what was wrong with the depth, times and where the
+  /// outputs lie.
   void print(const OutputOptions& output) const;
 
  private:
+  void print_masks() const;
+
+  SequenceOptions source_;
+  int segmented_ = 0;                                 ///< frames
   std::map<std::uint32_t, dot::State> last_decided_;  ///< of each object that was ever shown
   std::vector<double> total_ms_;
   int camera_lost_ = 0;

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "sequence/errors.hpp"
-#include "sequence/text.hpp"
+#include "sequence/fields.hpp"
 
 namespace runner {
 
@@ -31,11 +31,13 @@ void CommandLine::parse(int count, const char* const* values,
   }
 }
 
-int whole_number(const std::string& option, const std::string& value, int least) {
+int whole_number(const std::string& option, const std::string& value, int least, int most) {
   const std::optional<double> number = parse_number(value);
-  if (!number || *number < least || *number > 1e6 || *number != static_cast<int>(*number))
-    throw UsageError(option + " needs a whole number of at least " + std::to_string(least) + ", not '" + value + "'");
-  return static_cast<int>(*number);
+  const std::optional<int> whole = number ? to_whole(*number, least, most) : std::nullopt;
+  if (!whole)
+    throw UsageError(option + " needs a whole number from " + std::to_string(least) + " to " + std::to_string(most) +
+                     ", not '" + value + "'");
+  return *whole;
 }
 
 std::string not_empty(const std::string& option, const std::string& value) {

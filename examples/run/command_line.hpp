@@ -25,9 +25,9 @@ class CommandLine {
   std::map<std::string, Setter> options_;
 };
 
-/// A whole number of at least `least`.
+/// A whole number from `least` to `most`.
 /// @throws UsageError naming the option.
-int whole_number(const std::string& option, const std::string& value, int least = 1);
+int whole_number(const std::string& option, const std::string& value, int least = 1, int most = 1000000);
 
 /// @throws UsageError naming the option when there is no value.
 std::string not_empty(const std::string& option, const std::string& value);

@@ -3,10 +3,14 @@
 #include "config.hpp"
 
 #include <limits>
+#include <map>
+#include <stdexcept>
 #include <type_traits>
 
+#include "dot/pipeline/validate.hpp"
 #include "sequence/depth_source.hpp"
 #include "sequence/errors.hpp"
+#include "sequence/fields.hpp"
 #include "sequence/text.hpp"
 
 namespace runner {
@@ -16,18 +20,15 @@ enum class Outcome { Done, UnknownName, BadValue };
 
 template <typename T>
 Outcome assign(const std::string& text, T& value) {
-  if constexpr (std::is_same_v<T, bool>) {
-    if (text == "true") return value = true, Outcome::Done;
-    if (text == "false") return value = false, Outcome::Done;
-  }
+  std::optional<T> parsed;
   const std::optional<double> number = parse_number(text);
-  if (!number) return Outcome::BadValue;
-  if constexpr (std::is_integral_v<T>) {
-    if (*number < std::numeric_limits<T>::min() || *number > std::numeric_limits<T>::max() ||
-        *number != static_cast<double>(static_cast<T>(*number)))
-      return Outcome::BadValue;
-  }
-  value = static_cast<T>(*number);
+  if constexpr (std::is_same_v<T, double>)
+    parsed = number;
+  else if (number)
+    parsed = to_whole(*number, std::numeric_limits<T>::min(), std::numeric_limits<T>::max());
+  if (std::is_same_v<T, bool> && (text == "true" || text == "false")) parsed = text == "true";
+  if (!parsed) return Outcome::BadValue;
+  value = *parsed;
   return Outcome::Done;
 }
 
@@ -48,6 +49,22 @@ Outcome set_option(dot::Options& options, const std::string& name, const std::st
   return outcome;
 }
 
+/// Ranges are the library's business; to which line of the file its complaint belongs is ours.
+void check_ranges(const std::filesystem::path& path, const std::map<std::string, int>& lines,
+                  const dot::Options& options) {
+  const std::string prefix = "options.";
+  try {
+    dot::validate(options);
+  } catch (const std::invalid_argument& error) {
+    const std::string message = error.what();
+    if (message.rfind(prefix, 0) != 0) throw;
+    const std::string complaint = message.substr(prefix.size());
+    const auto found = lines.find(complaint.substr(0, complaint.find(':')));
+    if (found == lines.end()) throw FileError(path.string() + ": " + complaint);
+    fail({path, found->second}, complaint);
+  }
+}
+
 }  // namespace
 
 std::optional<dot::ClassifierKind> classifier_by_name(const std::string& name) {
@@ -58,20 +75,23 @@ std::optional<dot::ClassifierKind> classifier_by_name(const std::string& name) {
 }
 
 void read_config(const std::filesystem::path& path, dot::Options& options) {
-  int line_number = 0;
+  std::map<std::string, int> lines;  // of the settings
+  Place place{path};
   for (const std::string& line : read_lines(path)) {
-    ++line_number;
+    ++place.line;
     const std::string text = trim(line.substr(0, line.find('#')));
     if (text.empty()) continue;
-    const std::string where = path.string() + ": line " + std::to_string(line_number) + ": ";
     const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) throw FileError(where + "'" + text + "' is not of the form name = value");
+    if (equals == std::string::npos) fail(place, quoted(text) + " is not of the form name = value");
     const std::string name = trim(text.substr(0, equals));
     const std::string value = trim(text.substr(equals + 1));
     const Outcome outcome = set_option(options, name, value);
-    if (outcome == Outcome::UnknownName) throw FileError(where + "unknown option '" + name + "'");
-    if (outcome == Outcome::BadValue) throw FileError(where + name + " cannot be '" + value + "'");
+    if (outcome == Outcome::UnknownName) fail(place, "unknown option " + quoted(name));
+    if (outcome == Outcome::BadValue) fail(place, name + " cannot be " + quoted(value));
+    const auto [before, is_new] = lines.emplace(name, place.line);
+    if (!is_new) fail(place, name + " stands in line " + std::to_string(before->second) + " already");
   }
+  check_ranges(path, lines, options);
 }
 
 }  // namespace runner

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "config.hpp"
+#include "dot/pipeline/validate.hpp"
 #include "sequence/errors.hpp"
 #include "sequence/text.hpp"
 
@@ -20,8 +21,14 @@ const char* const run_options_usage =
   --always-dynamic CLASS,...
                             classes of the masks' csv files that always count as moving
   --discover                look for moving things that no mask shows
-  --threads N               threads, of OpenCV's pool (default 1)
+  --threads N               threads, 1 to 256, of OpenCV's pool (default 1)
 )";
+
+namespace {
+
+constexpr int most_threads = 256;  // as dot::validate has it
+
+}  // namespace
 
 void add_run_options(CommandLine& line, RunOptions& options) {
   SequenceOptions& sequence = options.sequence;
@@ -33,7 +40,8 @@ void add_run_options(CommandLine& line, RunOptions& options) {
   line.option("--always-dynamic",
               [&](auto& name, auto& value) { sequence.always_dynamic = split(not_empty(name, value), ','); });
   line.option("--config", [&](auto& name, auto& value) { options.config = not_empty(name, value); });
-  line.option("--threads", [&](auto& name, auto& value) { options.threads = whole_number(name, value); });
+  line.option("--threads",
+              [&](auto& name, auto& value) { options.threads = whole_number(name, value, 1, most_threads); });
   line.option("--classifier", [&](auto& name, auto& value) {
     options.classifier = classifier_by_name(value);
     if (!options.classifier)
@@ -47,7 +55,8 @@ dot::Options tracker_options(const RunOptions& options, dot::DepthSource source)
   if (!options.config.empty()) read_config(options.config, settings);
   if (options.classifier) settings.classifier = *options.classifier;
   if (options.discover) settings.discover_unknown = true;
-  if (options.threads != 1) settings.threads = options.threads;
+  if (options.threads) settings.threads = *options.threads;
+  dot::validate(settings);
   return settings;
 }
 

@@ -16,8 +16,8 @@ struct RunOptions {
   SequenceOptions sequence;
   std::filesystem::path config;
   std::optional<dot::ClassifierKind> classifier;
-  bool discover = false;  ///< look for moving things that no mask shows
-  int threads = 1;        ///< of OpenCV's pool
+  bool discover = false;       ///< look for moving things that no mask shows
+  std::optional<int> threads;  ///< of OpenCV's pool
 };
 
 /// Lines of `--help` for these options.
@@ -27,7 +27,7 @@ extern const char* const run_options_usage;
 void add_run_options(CommandLine& line, RunOptions& options);
 
 /// Defaults, then the depth source that the sequence says, then the configuration file, then the command line.
-/// @throws FileError naming the line of the configuration, UsageError naming the option.
+/// @throws FileError naming the line of the configuration, std::invalid_argument naming the setting.
 dot::Options tracker_options(const RunOptions& options, dot::DepthSource source);
 
 }  // namespace runner

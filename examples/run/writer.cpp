@@ -13,6 +13,7 @@
 
 #include "dot/image/opencv.hpp"
 #include "dot/pipeline/exclusion.hpp"
+#include "old_results.hpp"
 #include "overlay.hpp"
 #include "sequence/errors.hpp"
 #include "sequence/images.hpp"
@@ -101,37 +102,29 @@ constexpr std::size_t stage_count = static_cast<std::size_t>(dot::Stage::Count);
 
 }  // namespace
 
-void ResultWriter::Table::open(fs::path where) {
-  path = std::move(where);
-  stream.open(path);
-  if (!stream) throw FileError(path.string() + ": cannot be written");
-}
-
-void ResultWriter::Table::flush() {
-  if (!stream.flush()) throw FileError(path.string() + ": cannot be written");
-}
-
 ResultWriter::ResultWriter(const OutputOptions& options, const fs::path& sequence) : options_(options) {
   make_folder(options_.out);
   std::error_code error;
   if (fs::equivalent(options_.out, sequence, error))
     throw UsageError("--out must not be the sequence's own folder, " + sequence.string());
+  remove_old_results(options_.out);
+  timing_.emplace(options_.out / ResultNames::timing);
+  timing_->stream() << std::fixed << std::setprecision(3) << "frame";
+  for (std::size_t i = 0; i < stage_count; ++i)
+    timing_->stream() << ',' << dot::to_string(static_cast<dot::Stage>(i)) << "_ms";
+  timing_->stream() << ",total_ms\n";
+  timing_->flush();
+  camera_.emplace(options_.out / ResultNames::camera);
+  camera_->stream() << std::setprecision(15);
+  objects_.emplace(options_.out / ResultNames::objects);
+  objects_->stream() << std::setprecision(10) << object_columns;
+
   make_folder(options_.out / "labels");
   make_folder(options_.out / "instances");
   if (options_.overlay) make_folder(options_.out / "overlay");
-  if (!options_.masks_out.empty()) {
-    make_folder(options_.masks_out / "mask_dot");
-    make_folder(options_.masks_out / "mask_all");
-  }
-  camera_.open(options_.out / "camera.txt");
-  camera_.stream << std::setprecision(15);
-  objects_.open(options_.out / "objects.csv");
-  objects_.stream << std::setprecision(10) << object_columns;
-  timing_.open(options_.out / "timing.csv");
-  timing_.stream << std::fixed << std::setprecision(3) << "frame";
-  for (std::size_t i = 0; i < stage_count; ++i)
-    timing_.stream << ',' << dot::to_string(static_cast<dot::Stage>(i)) << "_ms";
-  timing_.stream << ",total_ms\n";
+  if (options_.masks_out.empty()) return;
+  remove_old_masks(options_.masks_out);
+  for (const char* const folder : ResultNames::masks) make_folder(options_.masks_out / folder);
 }
 
 void ResultWriter::write(const SequenceFrame& frame, const dot::Result& result, double total_ms) {
@@ -141,17 +134,21 @@ void ResultWriter::write(const SequenceFrame& frame, const dot::Result& result, 
 
   T_world_camera_ = T_world_camera_ * dot::SE3d::from_row_major(result.camera.T_cur_prev).inverse();
   const std::array<double, 12> pose = T_world_camera_.row_major();
-  for (std::size_t i = 0; i < pose.size(); ++i) camera_.stream << (i > 0 ? " " : "") << pose[i];
-  camera_.stream << '\n';
-  camera_.flush();
+  for (std::size_t i = 0; i < pose.size(); ++i) camera_->stream() << (i > 0 ? " " : "") << pose[i];
+  camera_->stream() << '\n';
+  camera_->flush();
 
-  for (const dot::ObjectResult& object : result.objects) write_object(objects_.stream, frame.number, object);
-  objects_.flush();
+  for (const dot::ObjectResult& object : result.objects) write_object(objects_->stream(), frame.number, object);
+  objects_->flush();
 
-  timing_.stream << frame.number;
-  for (const double ms : result.stage_ms) timing_.stream << ',' << ms;
-  timing_.stream << ',' << total_ms << '\n';
-  timing_.flush();
+  timing_->stream() << frame.number;
+  for (const double ms : result.stage_ms) timing_->stream() << ',' << ms;
+  timing_->stream() << ',' << total_ms << '\n';
+  timing_->flush();
+}
+
+void ResultWriter::finish() {
+  for (std::optional<OutputFile>* const table : {&camera_, &objects_, &timing_}) (*table)->finish();
 }
 
 void ResultWriter::write_images(const SequenceFrame& frame, const dot::Result& result, double total_ms) {

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
+#include <optional>
 
 #include "dot/image/image.hpp"
 #include "dot/lie/se3.hpp"
 #include "dot/pipeline/result.hpp"
+#include "sequence/output_file.hpp"
 #include "sequence/sequence.hpp"
 
 namespace runner {
@@ -19,10 +20,11 @@ struct OutputOptions {
   bool overlay = false;             ///< pictures too
 };
 
-/// Writes the results of a sequence, frame by frame; each `write` leaves complete files behind.
+/// Writes the results of a sequence, frame by frame. A picture has its name when it is whole, the tables theirs when
+/// all frames are done: a folder without timing.csv is of a run that did not end.
 class ResultWriter {
  public:
-  /// Makes the folders and starts the tables.
+  /// Makes the folders, removes what an earlier run has left there and starts the tables.
   /// @param sequence folder that is read, which must not be written to.
   /// @throws FileError naming what cannot be written, UsageError when that is the sequence.
   ResultWriter(const OutputOptions& options, const std::filesystem::path& sequence);
@@ -31,22 +33,18 @@ class ResultWriter {
   /// @throws FileError when a file cannot be written, std::runtime_error when the result does not fit the formats.
   void write(const SequenceFrame& frame, const dot::Result& result, double total_ms);
 
+  /// After the last frame: the tables are complete.
+  /// @throws FileError when a file cannot be written.
+  void finish();
+
  private:
   void write_images(const SequenceFrame& frame, const dot::Result& result, double total_ms);
   void write_masks(const SequenceFrame& frame, const dot::Result& result);
 
-  /// A text file that grows by the frame.
-  struct Table {
-    std::filesystem::path path;
-    std::ofstream stream;
-    void open(std::filesystem::path where);
-    void flush();
-  };
-
   OutputOptions options_;
-  Table camera_;
-  Table objects_;
-  Table timing_;
+  std::optional<OutputFile> camera_;
+  std::optional<OutputFile> objects_;
+  std::optional<OutputFile> timing_;
   dot::SE3d T_world_camera_;
   dot::Image<std::uint8_t> exclusion_;
 };

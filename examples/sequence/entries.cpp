@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "errors.hpp"
+#include "plausible.hpp"
 #include "text.hpp"
 
 namespace runner {
@@ -29,18 +30,29 @@ std::optional<int> frame_number(const std::string& stem, const std::string& pref
 
 bool is_there(const fs::path& path) {
   std::error_code error;
-  return fs::exists(fs::symlink_status(path, error));
+  const fs::file_status status = fs::symlink_status(path, error);
+  if (!fs::status_known(status)) throw FileError(path.string() + ": cannot be read: " + error.message());
+  return fs::exists(status);
+}
+
+std::vector<fs::path> list_files(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator file(folder, error), end; !error && file != end; file.increment(error))
+    files.push_back(file->path());
+  if (error) throw FileError(folder.string() + ": the folder cannot be read: " + error.message());
+  return files;
 }
 
 std::vector<RecordingEntry> list_images(const fs::path& folder, const std::string& prefix) {
   std::vector<RecordingEntry> entries;
   if (!fs::is_directory(folder)) throw FileError(folder.string() + ": no such folder");
-  for (const fs::directory_entry& file : fs::directory_iterator(folder)) {
-    const std::optional<int> number = frame_number(file.path().stem().string(), prefix);
-    if (!number || !is_image(file.path())) continue;
+  for (const fs::path& file : list_files(folder)) {
+    const std::optional<int> number = frame_number(file.stem().string(), prefix);
+    if (!number || !is_image(file)) continue;
     entries.emplace_back();
     entries.back().number = *number;
-    entries.back().image = file.path();
+    entries.back().image = file;
   }
   if (entries.empty())
     throw FileError(folder.string() + ": holds no images such as " + prefix + "000000.png or " + prefix + "000000.jpg");
@@ -61,36 +73,45 @@ fs::path same_frame(const fs::path& folder, const RecordingEntry& entry) {
 }
 
 void read_times(const fs::path& path, std::vector<RecordingEntry>& entries) {
-  const std::vector<std::vector<double>> rows = read_table(path, 1);
+  set_times(path, read_table(path, 1), entries);
+}
+
+void set_times(const fs::path& path, const std::vector<Row>& rows, std::vector<RecordingEntry>& entries) {
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const std::size_t row = row_of(path, rows.size(), entries.size(), i, entries[i].number);
-    entries[i].timestamp = rows[row][0];
-    if (i > 0 && !(entries[i].timestamp > entries[i - 1].timestamp))
-      throw FileError(path.string() + ": line " + std::to_string(row + 1) + ": times must increase");
+    const Row& row = rows[row_of(path, rows.size(), entries.size(), i, entries[i].number)];
+    const Place place{path, row.line};
+    entries[i].timestamp = in_range(place, "the time", row.values[0], times);
+    if (i > 0) check_step(place, entries[i - 1].timestamp, entries[i].timestamp);
   }
 }
 
 void read_poses(const fs::path& path, std::vector<RecordingEntry>& entries) {
-  const std::vector<std::vector<double>> rows = read_table(path, 12);
+  const std::vector<Row> rows = read_table(path, 12);
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const std::size_t row = row_of(path, rows.size(), entries.size(), i, entries[i].number);
-    entries[i].truth.camera = pose_from_row_major(rows[row].data());
+    const Row& row = rows[row_of(path, rows.size(), entries.size(), i, entries[i].number)];
+    entries[i].truth.camera = rigid_pose({path, row.line}, row.values.data());
   }
 }
 
 bool list_masks(const SequenceOptions& options, std::vector<RecordingEntry>& entries) {
   const fs::path folder = options.folder / options.mask_dir;
-  if (!fs::is_directory(folder)) {
+  if (!is_there(folder)) {
     if (options.mask_dir != SequenceOptions{}.mask_dir) throw FileError(folder.string() + ": no such folder");
     return false;
   }
+  list_files(folder);  // one that cannot be read is no reason to go without masks
+  bool any = false;
   for (RecordingEntry& entry : entries) {
     const fs::path masks = same_frame(folder, entry);
     if (!is_there(masks)) continue;
+    any = true;
     entry.masks = masks;
     const fs::path list = fs::path(masks).replace_extension(".csv");
-    if (fs::exists(list)) entry.instances = list;
+    if (is_there(list)) entry.instances = list;
   }
+  if (!any)
+    throw FileError(folder.string() + ": holds no masks of these frames, such as " + entries[0].image.stem().string() +
+                    ".png");
   return true;
 }
 

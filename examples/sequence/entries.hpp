@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fields.hpp"
 #include "recording.hpp"
 
 /// @file
@@ -15,7 +16,12 @@
 namespace runner {
 
 /// Whether a file is there. A dangling link counts: reading it then says what is wrong.
+/// @throws FileError when that cannot be found out.
 bool is_there(const std::filesystem::path& path);
+
+/// What lies in a folder.
+/// @throws FileError when it cannot be read, or is none.
+std::vector<std::filesystem::path> list_files(const std::filesystem::path& folder);
 
 /// The images of a folder whose names are `prefix` and a number, by that number.
 /// @throws FileError when there are none, or two of one number.
@@ -28,12 +34,16 @@ std::filesystem::path same_frame(const std::filesystem::path& folder, const Reco
 /// @throws FileError naming the line at which time does not increase.
 void read_times(const std::filesystem::path& path, std::vector<RecordingEntry>& entries);
 
+/// Times in seconds that a layout has read in its own manner, one a row.
+/// @throws FileError naming the line at which time does not increase.
+void set_times(const std::filesystem::path& path, const std::vector<Row>& rows, std::vector<RecordingEntry>& entries);
+
 /// Camera-to-world poses, 3x4 row-major, as the truth.
 void read_poses(const std::filesystem::path& path, std::vector<RecordingEntry>& entries);
 
 /// Masks of the folder that the options name; frames without a file have none.
 /// @return whether there is such a folder.
-/// @throws FileError when a folder is missing that the user has named.
+/// @throws FileError when a folder is missing that the user has named, cannot be read or has no mask of any frame.
 bool list_masks(const SequenceOptions& options, std::vector<RecordingEntry>& entries);
 
 /// Fills in exactly one of `depth` and `right` of each entry: the folder of depth images that the options name, or the

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "errors.hpp"
+#include "output_file.hpp"
 
 namespace runner {
 namespace {
@@ -49,7 +50,23 @@ std::vector<std::uint8_t> read_bytes(const std::filesystem::path& path) {
   return bytes;
 }
 
+// Places in the header of a PNG file (ISO/IEC 15948, 11.2.2).
+constexpr std::size_t png_header = 8, png_width = 16, png_height = 20, png_bit_depth = 24, png_colour_type = 25,
+                      png_header_crc = 29, png_chunks = 33;
+
+std::uint32_t big_endian(const std::uint8_t* b) {
+  return std::uint32_t{b[0]} << 24 | std::uint32_t{b[1]} << 16 | std::uint32_t{b[2]} << 8 | std::uint32_t{b[3]};
+}
+
+/// A few bytes can claim a size for which a decoder takes gigabytes.
+bool too_large(const std::vector<std::uint8_t>& bytes) {
+  constexpr std::uint64_t most_pixels = std::uint64_t{1} << 27;
+  return starts_with(bytes, png_marker) && bytes.size() > png_chunks &&
+         std::uint64_t{big_endian(&bytes[png_width])} * big_endian(&bytes[png_height]) > most_pixels;
+}
+
 cv::Mat decode(const std::filesystem::path& path, const std::vector<std::uint8_t>& bytes) {
+  if (too_large(bytes)) throw FileError(path.string() + ": has more than 134 million pixels");
   if (cut_short(bytes)) throw FileError(path.string() + ": the file is cut short");
   cv::Mat image;
   try {
@@ -67,16 +84,9 @@ void check_size(const std::filesystem::path& path, const cv::Mat& image, cv::Siz
                     ", the camera is " + std::to_string(size.width) + "x" + std::to_string(size.height));
 }
 
-// Places in the header of a PNG file (ISO/IEC 15948, 11.2.2).
-constexpr std::size_t png_header = 8, png_bit_depth = 24, png_colour_type = 25, png_header_crc = 29, png_chunks = 33;
-
 bool has_palette(const std::vector<std::uint8_t>& bytes) {
   constexpr int palette = 3;
   return bytes.size() > png_chunks && starts_with(bytes, png_marker) && bytes[png_colour_type] == palette;
-}
-
-std::uint32_t big_endian(const std::uint8_t* b) {
-  return std::uint32_t{b[0]} << 24 | std::uint32_t{b[1]} << 16 | std::uint32_t{b[2]} << 8 | std::uint32_t{b[3]};
 }
 
 /// The cyclic redundancy check of PNG chunks (ISO/IEC 15948, annex D).
@@ -121,9 +131,11 @@ cv::Mat read_image(const std::filesystem::path& path, cv::Size size) {
 
 cv::Mat read_indices(const std::filesystem::path& path, cv::Size size) {
   const std::vector<std::uint8_t> bytes = read_bytes(path);
-  if (!has_palette(bytes)) return read_image(path, size);
-  cv::Mat indices = decode(path, without_palette(bytes));
+  const bool palette = has_palette(bytes);
+  if (palette && bytes[png_bit_depth] > 8) throw FileError(path.string() + ": not a readable image");
+  cv::Mat indices = decode(path, palette ? without_palette(bytes) : bytes);
   check_size(path, indices, size);
+  if (!palette) return indices;
   // Grey values of less than 8 bits are spread over the whole range.
   const int spread = 255 / ((1 << bytes[png_bit_depth]) - 1);
   if (spread > 1) indices /= spread;
@@ -133,9 +145,9 @@ cv::Mat read_indices(const std::filesystem::path& path, cv::Size size) {
 void write_image(const std::filesystem::path& path, const cv::Mat& image) {
   std::vector<std::uint8_t> bytes;
   cv::imencode(".png", image, bytes);
-  std::ofstream stream(path, std::ios::binary);
-  stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (!stream.flush()) throw FileError(path.string() + ": cannot be written");
+  OutputFile file(path);
+  file.stream().write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  file.finish();
 }
 
 }  // namespace runner

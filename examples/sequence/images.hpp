@@ -17,7 +17,7 @@ cv::Mat read_image(const std::filesystem::path& path, cv::Size size);
 /// Like read_image, but of a PNG file with a palette the indices themselves, CV_8UC1, whatever their colours.
 cv::Mat read_indices(const std::filesystem::path& path, cv::Size size);
 
-/// Writes a PNG file.
+/// Writes a PNG file; under its name stands a whole picture at any time, see OutputFile.
 /// @throws FileError when that fails.
 void write_image(const std::filesystem::path& path, const cv::Mat& image);
 

@@ -3,38 +3,33 @@
 #include "instance_list.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
-#include "errors.hpp"
+#include "plausible.hpp"
 #include "text.hpp"
 
 namespace runner {
 
 std::vector<dot::Instance> read_instances(const std::filesystem::path& path,
                                           const std::vector<std::string>& always_dynamic) {
+  constexpr Range scores{-1e6, 1e6};
   std::vector<dot::Instance> instances;
-  int line_number = 0;
+  Place place{path};
   for (const std::string& line : read_lines(path)) {
-    ++line_number;
+    ++place.line;
     const std::vector<std::string> fields = split(line, ',');
-    if (trim(line).empty() || (line_number == 1 && fields[0] == "id")) continue;
-    const std::string where = path.string() + ": line " + std::to_string(line_number);
-    if (fields.size() < 2) throw FileError(where + " must be id,class,score");
+    if (trim(line).empty() || (place.line == 1 && fields[0] == "id")) continue;
+    if (fields.size() < 2) fail(place, "must be id,class,score");
     dot::Instance instance;
-    const std::optional<double> id = parse_number(fields[0]);
-    if (!id || *id < 1 || *id > 65535 || *id != static_cast<std::uint32_t>(*id))
-      throw FileError(where + ": id '" + fields[0] + "' is not a whole number from 1 to 65535");
-    instance.id = static_cast<std::uint32_t>(*id);
+    instance.id = static_cast<std::uint32_t>(to_whole(place, "id", to_number(place, "id", fields[0]), 1, largest_id));
     // A class may be a number or a name; the library takes numbers and does not interpret them.
-    if (const std::optional<double> number = parse_number(fields[1]); number && std::abs(*number) < 1e9)
-      instance.class_id = static_cast<std::int32_t>(*number);
-    if (fields.size() > 2) {
-      const std::optional<double> score = parse_number(fields[2]);
-      if (!score) throw FileError(where + ": score '" + fields[2] + "' is not a number");
-      instance.score = static_cast<float>(*score);
-    }
+    const std::int32_t largest_class = std::numeric_limits<std::int32_t>::max();
+    if (const std::optional<double> number = parse_number(fields[1]))
+      instance.class_id = to_whole(place, "class", *number, -largest_class, largest_class);
+    if (fields.size() > 2)
+      instance.score = static_cast<float>(in_range(place, "score", to_number(place, "score", fields[2]), scores));
     instance.always_dynamic =
         std::find(always_dynamic.begin(), always_dynamic.end(), fields[1]) != always_dynamic.end();
     instances.push_back(instance);

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "kitti_calibration.hpp"
 
-#include <optional>
+#include <cmath>
 
 #include "errors.hpp"
+#include "plausible.hpp"
 #include "text.hpp"
 
 namespace runner {
@@ -12,47 +13,58 @@ namespace runner {
 namespace {
 
 struct Projection {
-  double fx = 0, fy = 0, cx = 0, cy = 0;
+  dot::Intrinsics camera;
   Eigen::Vector3d t;
+  int line = 0;
 };
 
-Projection read_projection(const std::filesystem::path& path, const std::string& key) {
-  const std::vector<double> P = read_calibration(path, key, 12);
-  if (!(P[0] > 0 && P[5] > 0)) throw FileError(path.string() + ": " + key + ": focal lengths must be > 0");
-  Projection p{P[0], P[5], P[2], P[6], {}};
-  p.t = {(P[3] - p.cx * P[11]) / p.fx, (P[7] - p.cy * P[11]) / p.fy, P[11]};
+/// P = K [I t], K without skew.
+Projection read_projection(const std::filesystem::path& path, const std::string& key, cv::Size image) {
+  constexpr double rounding = 1e-6;
+  const Row row = read_calibration(path, key, 12);
+  const std::vector<double>& P = row.values;
+  const Place place{path, row.line};
+  for (const std::size_t i : {1U, 4U, 8U, 9U, 10U})
+    if (std::abs(P[i] - (i == 10 ? 1 : 0)) > rounding)
+      fail(place, key + " must be 'fx 0 cx . 0 fy cy . 0 0 1 .', the projection of a rectified camera");
+  Projection p{{P[0], P[5], P[2], P[6], image.width, image.height, 0}, {}, row.line};
+  check_intrinsics(place, p.camera);
+  p.t = {(P[3] - P[2] * P[11]) / P[0], (P[7] - P[6] * P[11]) / P[5], P[11]};
+  check_position(place, p.t);
   return p;
 }
 
 }  // namespace
 
-std::vector<double> read_calibration(const std::filesystem::path& path, const std::string& key, std::size_t count) {
+Row read_calibration(const std::filesystem::path& path, const std::string& key, std::size_t count) {
   const std::string heading = key + ":";
-  int line_number = 0;
+  Place place{path};
   for (const std::string& line : read_lines(path)) {
-    ++line_number;
+    ++place.line;
     const std::vector<std::string> fields = words(line);
     if (fields.empty() || fields[0] != heading) continue;
-    const std::string where = path.string() + ": line " + std::to_string(line_number);
     if (fields.size() != count + 1)
-      throw FileError(where + " has " + std::to_string(fields.size() - 1) + " numbers, must have " +
-                      std::to_string(count));
-    std::vector<double> numbers;
-    for (std::size_t i = 1; i < fields.size(); ++i) {
-      const std::optional<double> number = parse_number(fields[i]);
-      if (!number) throw FileError(where + ": '" + fields[i] + "' is not a number");
-      numbers.push_back(*number);
-    }
-    return numbers;
+      fail(place, "has " + std::to_string(fields.size() - 1) + " numbers, must have " + std::to_string(count));
+    Row row{place.line, {}};
+    for (std::size_t i = 1; i < fields.size(); ++i) row.values.push_back(to_number(place, key, fields[i]));
+    return row;
   }
   throw FileError(path.string() + ": has no line '" + heading + "'");
 }
 
 KittiRig read_rig(const std::filesystem::path& path, const std::string& left, const std::string& right,
                   cv::Size image) {
-  const Projection l = read_projection(path, left);
-  const Projection r = read_projection(path, right);
-  return {{l.fx, l.fy, l.cx, l.cy, image.width, image.height, l.t.x() - r.t.x()}, l.t};
+  constexpr double same = 1e-3;  // of the focal length
+  const Projection l = read_projection(path, left, image);
+  const Projection r = read_projection(path, right, image);
+  const Place place{path, r.line};
+  const Eigen::Vector4d K_left(l.camera.fx, l.camera.fy, l.camera.cx, l.camera.cy);
+  const Eigen::Vector4d K_right(r.camera.fx, r.camera.fy, r.camera.cx, r.camera.cy);
+  if ((K_left - K_right).cwiseAbs().maxCoeff() > same * l.camera.fx)
+    fail(place, right + " has other focal lengths or another centre than " + left + ", as no rectified pair has");
+  KittiRig rig{l.camera, l.t};
+  rig.intrinsics.baseline = in_range(place, "the baseline from " + left + " to " + right, l.t.x() - r.t.x(), baselines);
+  return rig;
 }
 
 }  // namespace runner

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <opencv2/core.hpp>
 #include <string>
-#include <vector>
 
 #include "dot/camera/intrinsics.hpp"
+#include "fields.hpp"
 
 namespace runner {
 
@@ -21,9 +21,10 @@ struct KittiRig {
 
 /// The numbers of the line `key: number number ...` of a calibration file.
 /// @throws FileError when there is no such line, naming the line when it does not have so many numbers.
-std::vector<double> read_calibration(const std::filesystem::path& path, const std::string& key, std::size_t count);
+Row read_calibration(const std::filesystem::path& path, const std::string& key, std::size_t count);
 
 /// @param left, right keys of the 3x4 projection matrices K [I t] from the reference camera's coordinates.
+/// @throws FileError naming the line that is not such a matrix or not one of a pair.
 KittiRig read_rig(const std::filesystem::path& path, const std::string& left, const std::string& right, cv::Size image);
 
 }  // namespace runner

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "kitti_raw.hpp"
 
-#include <cstddef>
-#include <optional>
+#include <string>
+#include <vector>
 
 #include "entries.hpp"
-#include "errors.hpp"
 #include "images.hpp"
 #include "kitti_calibration.hpp"
 #include "kitti_oxts.hpp"
+#include "plausible.hpp"
 #include "text.hpp"
 
 namespace runner {
@@ -23,43 +23,44 @@ fs::path calibration_file(const fs::path& folder, const char* name) {
   return !fs::exists(folder / name) && fs::exists(above) ? above : folder / name;
 }
 
-/// Seconds since the midnight of "2011-09-26 13:02:25.964389445".
-std::optional<double> seconds_of_day(const std::string& line) {
-  const std::vector<std::string> date_and_time = words(line);
-  if (date_and_time.size() != 2) return std::nullopt;
-  const std::vector<std::string> fields = split(date_and_time[1], ':');
-  if (fields.size() != 3) return std::nullopt;
+/// A day and the seconds since its midnight.
+struct Moment {
+  std::string date;
   double seconds = 0;
-  for (const std::string& field : fields) {
-    const std::optional<double> number = parse_number(field);
-    if (!number) return std::nullopt;
-    seconds = 60 * seconds + *number;
-  }
-  return seconds;
+};
+
+/// Of "2011-09-26 13:02:25.964389445".
+Moment read_moment(const Place& place, const std::string& line) {
+  const std::vector<std::string> date_and_time = words(line);
+  const std::vector<std::string> fields = split(date_and_time.size() == 2 ? date_and_time[1] : "", ':');
+  const auto is_date = [](const std::string& text) {
+    return text.size() == 10 && text[4] == '-' && text[7] == '-' &&
+           text.find_first_not_of("0123456789-") == std::string::npos;
+  };
+  if (fields.size() != 3 || !is_date(date_and_time[0])) fail(place, "must be like '2011-09-26 13:02:25.964389445'");
+  const int hours = to_whole(place, "the hour", to_number(place, "the hour", fields[0]), 0, 23);
+  const int minutes = to_whole(place, "the minute", to_number(place, "the minute", fields[1]), 0, 59);
+  const double seconds = in_range(place, "the second", to_number(place, "the second", fields[2]), {0, 60});
+  return {date_and_time[0], 3600.0 * hours + 60.0 * minutes + seconds};
 }
 
 /// A line for each number of the stream, whether its image is there or not. Times count from the first line's midnight.
 void read_timestamps(const fs::path& path, std::vector<RecordingEntry>& entries) {
   constexpr double day = 86400;
-  std::vector<double> times;
+  std::vector<Row> rows;
   std::string date;
   double midnight = 0;
+  Place place{path};
   for (const std::string& line : read_lines(path)) {
+    ++place.line;
     if (trim(line).empty()) continue;
-    const std::optional<double> seconds = seconds_of_day(line);
-    if (!seconds)
-      throw FileError(path.string() + ": line " + std::to_string(times.size() + 1) +
-                      ": must be like '2011-09-26 13:02:25.964389445'");
-    if (!date.empty() && words(line)[0] != date) midnight += day;
-    date = words(line)[0];
-    times.push_back(midnight + *seconds);
+    const Moment moment = read_moment(place, line);
+    if (moment.date < date) fail(place, "the date goes back");
+    if (!date.empty() && moment.date != date) midnight += day;
+    date = moment.date;
+    rows.push_back({place.line, {midnight + moment.seconds}});
   }
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const std::size_t row = row_of(path, times.size(), entries.size(), i, entries[i].number);
-    entries[i].timestamp = times[row];
-    if (i > 0 && !(entries[i].timestamp > entries[i - 1].timestamp))
-      throw FileError(path.string() + ": line " + std::to_string(row + 1) + ": times must increase");
-  }
+  set_times(path, rows, entries);
 }
 
 }  // namespace

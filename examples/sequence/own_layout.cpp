@@ -3,12 +3,17 @@
 #include "own_layout.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "depth_source.hpp"
 #include "entries.hpp"
-#include "errors.hpp"
+#include "images.hpp"
+#include "plausible.hpp"
 #include "text.hpp"
 
 namespace runner {
@@ -23,33 +28,35 @@ struct Camera {
 };
 
 Camera read_intrinsics(const fs::path& path) {
-  Camera camera;
+  const char* const names[] = {"fx", "fy", "cx", "cy", "width", "height", "baseline", "fps"};
+  constexpr int largest_side = 65535;
   const std::vector<std::string> lines = read_lines(path);
   const std::vector<std::string> fields = words(lines.empty() ? "" : lines[0]);
-  const char* const names[] = {"fx", "fy", "cx", "cy", "width", "height", "baseline", "fps"};
-  double values[8] = {};
-  for (std::size_t i = 0; i < 8; ++i) {
-    if (i >= fields.size()) throw FileError(path.string() + ": " + names[i] + " is missing");
-    const std::optional<double> number = parse_number(fields[i]);
-    if (!number) throw FileError(path.string() + ": " + names[i] + " '" + fields[i] + "' is not a number");
-    const bool positive = i == 0 || i == 1 || i == 4 || i == 5 || i == 7;
-    if (positive && !(*number > 0)) throw FileError(path.string() + ": " + names[i] + " must be > 0");
-    if (i == 6 && *number < 0) throw FileError(path.string() + ": baseline must be >= 0");
-    if ((i == 4 || i == 5) && (*number > 65535 || *number != static_cast<int>(*number)))
-      throw FileError(path.string() + ": " + names[i] + " must be a whole number up to 65535");
-    values[i] = *number;
+  Place place{path, 1};
+  double values[std::size(names)] = {};
+  for (std::size_t i = 0; i < std::size(names); ++i) {
+    if (i >= fields.size()) fail(place, std::string(names[i]) + " is missing");
+    values[i] = to_number(place, names[i], fields[i]);
   }
-  camera.intrinsics = {
-      values[0], values[1], values[2], values[3], static_cast<int>(values[4]), static_cast<int>(values[5]), values[6]};
-  camera.fps = values[7];
+  if (fields.size() > std::size(names)) fail(place, "has more than eight numbers");
+  Camera camera;
+  camera.intrinsics = {values[0],
+                       values[1],
+                       values[2],
+                       values[3],
+                       to_whole(place, "width", values[4], 1, largest_side),
+                       to_whole(place, "height", values[5], 1, largest_side),
+                       values[6]};
+  check_intrinsics(place, camera.intrinsics);
+  camera.fps = in_range(place, "fps", values[7], frame_rates);
 
   for (std::size_t i = 1; i < lines.size(); ++i) {
+    ++place.line;
     const std::vector<std::string> line = words(lines[i]);
     if (line.empty()) continue;
+    if (camera.stated_source) fail(place, "nothing may follow the line of the depth");
     if (line.size() == 2 && line[0] == "depth") camera.stated_source = depth_source_by_name(line[1]);
-    if (!camera.stated_source)
-      throw FileError(path.string() + ": line " + std::to_string(i + 1) +
-                      " must be 'depth stereo', 'depth rgbd', 'depth lidar' or 'depth unknown'");
+    if (!camera.stated_source) fail(place, "must be 'depth stereo', 'depth rgbd', 'depth lidar' or 'depth unknown'");
   }
   return camera;
 }
@@ -60,34 +67,41 @@ using EntryByNumber = std::map<int, RecordingEntry*>;
 
 /// Columns frame, id, moving and speed_mps of objects.csv, in any order among others.
 void read_objects(const fs::path& path, const EntryByNumber& entries) {
+  constexpr Range speeds{-1e5, 1e5};
   const std::vector<std::string> lines = read_lines(path);
   const std::vector<std::string> header = split(lines.empty() ? "" : lines[0], ',');
   const char* const names[] = {"frame", "id", "moving", "speed_mps"};
+  Place place{path, 1};
   std::size_t columns[4] = {};
   for (std::size_t i = 0; i < 4; ++i) {
     const auto found = std::find(header.begin(), header.end(), names[i]);
-    if (found == header.end()) throw FileError(path.string() + ": has no column '" + names[i] + "'");
+    if (found == header.end()) fail(place, std::string("has no column '") + names[i] + "'");
     columns[i] = static_cast<std::size_t>(found - header.begin());
   }
   for (std::size_t line = 1; line < lines.size(); ++line) {
-    const std::vector<std::string> fields = split(lines[line], ',');
+    ++place.line;
     if (trim(lines[line]).empty()) continue;
+    const std::vector<std::string> fields = split(lines[line], ',');
     double values[4] = {};
     for (std::size_t i = 0; i < 4; ++i) {
-      const std::optional<double> number =
-          columns[i] < fields.size() ? parse_number(fields[columns[i]]) : std::optional<double>();
-      if (!number) throw FileError(path.string() + ": line " + std::to_string(line + 1) + ": no " + names[i]);
-      values[i] = *number;
+      if (columns[i] >= fields.size()) fail(place, std::string("has no ") + names[i]);
+      values[i] = to_number(place, names[i], fields[columns[i]]);
     }
-    const auto entry = entries.find(static_cast<int>(values[0]));
-    if (entry != entries.end()) entry->second->truth.objects[static_cast<int>(values[1])] = {values[2] == 1, values[3]};
+    const auto entry = entries.find(to_whole(place, "frame", values[0], 0, largest_number));
+    const int id = to_whole(place, "id", values[1], 1, largest_id);
+    const bool moving = to_whole(place, "moving", values[2], 0, 1) == 1;
+    const double speed = in_range(place, "speed_mps", values[3], speeds);
+    if (entry != entries.end()) entry->second->truth.objects[id] = {moving, speed};
   }
 }
 
 void read_object_poses(const fs::path& path, const EntryByNumber& entries) {
-  for (const std::vector<double>& row : read_table(path, 14)) {
-    const auto entry = entries.find(static_cast<int>(row[0]));
-    if (entry != entries.end()) entry->second->truth.poses[static_cast<int>(row[1])] = pose_from_row_major(&row[2]);
+  for (const Row& row : read_table(path, 14)) {
+    const Place place{path, row.line};
+    const auto entry = entries.find(to_whole(place, "frame", row.values[0], 0, largest_number));
+    const int id = to_whole(place, "id", row.values[1], 1, largest_id);
+    const Eigen::Matrix4d pose = rigid_pose(place, &row.values[2]);
+    if (entry != entries.end()) entry->second->truth.poses[id] = pose;
   }
 }
 
@@ -116,6 +130,8 @@ Recording read_own_layout(const SequenceOptions& options) {
   const Camera camera = read_intrinsics(options.folder / "intrinsics.txt");
   recording.intrinsics = camera.intrinsics;
   recording.entries = list_images(options.folder / "rgb");
+  // Before anybody takes memory for images of the size that is claimed.
+  read_image(recording.entries[0].image, {camera.intrinsics.width, camera.intrinsics.height});
   for (RecordingEntry& entry : recording.entries) entry.timestamp = entry.number / camera.fps;
   if (fs::exists(options.folder / "times.txt")) read_times(options.folder / "times.txt", recording.entries);
   list_masks(options, recording.entries);

@@ -73,8 +73,7 @@ struct Recording {
 std::size_t row_of(const std::filesystem::path& path, std::size_t rows, std::size_t frames, std::size_t index,
                    int number);
 
-/// 3x4 row-major pose as KITTI writes it, as it stands: a matrix that is rounded, not a clean rotation.
-/// @param values 12 numbers.
+/// The 4x4 matrix of 12 numbers, 3x4 row-major.
 Eigen::Matrix4d pose_from_row_major(const double* values);
 
 }  // namespace runner

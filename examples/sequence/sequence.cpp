@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "sequence.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string>
 
@@ -13,7 +11,7 @@
 #include "images.hpp"
 #include "instance_list.hpp"
 #include "layouts.hpp"
-#include "text.hpp"
+#include "plausible.hpp"
 
 namespace runner {
 namespace fs = std::filesystem;
@@ -70,18 +68,13 @@ Sequence::Sequence(const SequenceOptions& options)
 }
 
 void Sequence::read_camera(const fs::path& path) {
-  const std::vector<std::vector<double>> rows = read_table(path, 12);
+  const std::vector<Row> rows = read_table(path, 12);
   std::vector<dot::SE3d> poses;
   for (std::size_t i = 0; i < camera_motions_.size(); ++i) {
-    const std::size_t row = row_of(path, rows.size(), camera_motions_.size(), i, recording_.entries[i].number);
-    std::array<double, 12> T_world_camera{};
-    std::copy(rows[row].begin(), rows[row].end(), T_world_camera.begin());
-    poses.push_back(dot::SE3d::from_row_major(T_world_camera));
-    const auto& R = poses.back().R;
-    // Files are written with a few digits; anything worse is no rotation.
-    if ((R * R.transpose() - dot::Matrix3<double>::Identity()).norm() > 1e-3 || R.determinant() < 0)
-      throw FileError(path.string() + ": line " + std::to_string(row + 1) + " is not a rigid motion");
-    poses.back() = poses.back().normalized();
+    const Row& row = rows[row_of(path, rows.size(), camera_motions_.size(), i, recording_.entries[i].number)];
+    const Eigen::Matrix4d T_world_camera = rigid_pose({path, row.line}, row.values.data());
+    poses.push_back(
+        dot::SE3d{T_world_camera.topLeftCorner<3, 3>(), T_world_camera.topRightCorner<3, 1>()}.normalized());
     if (i > 0) camera_motions_[i] = camera_motion(poses[i - 1], poses[i]);
   }
 }

@@ -6,12 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "dot/lie/se3.hpp"
 #include "entries.hpp"
 #include "errors.hpp"
 #include "images.hpp"
+#include "plausible.hpp"
 #include "text.hpp"
 
 namespace runner {
@@ -43,6 +47,7 @@ dot::Intrinsics intrinsics(const fs::path& folder, cv::Size size) {
 
 /// A line with a time and what belongs to it.
 struct Stamped {
+  int line = 0;
   double time = 0;
   std::vector<std::string> fields;
 };
@@ -50,17 +55,29 @@ struct Stamped {
 /// Lines `time field field ...` in the order of time; those that begin with # are comments.
 std::vector<Stamped> read_stamped(const fs::path& path, std::size_t fields) {
   std::vector<Stamped> rows;
-  int line_number = 0;
+  Place place{path};
   for (const std::string& line : read_lines(path)) {
-    ++line_number;
+    ++place.line;
     std::vector<std::string> all = words(line);
     if (all.empty() || all[0][0] == '#') continue;
-    const std::optional<double> time = parse_number(all[0]);
-    const std::string where = path.string() + ": line " + std::to_string(line_number);
-    if (!time || all.size() != fields + 1)
-      throw FileError(where + " must be a time and " + std::to_string(fields) + (fields == 1 ? " name" : " numbers"));
-    if (!rows.empty() && !(*time > rows.back().time)) throw FileError(where + ": times must increase");
-    rows.push_back({*time, {all.begin() + 1, all.end()}});
+    if (all.size() != fields + 1)
+      fail(place, "must be a time and " + std::to_string(fields) + (fields == 1 ? " name" : " numbers"));
+    const double time = in_range(place, "the time", to_number(place, "the time", all[0]), times);
+    if (!rows.empty()) check_step(place, rows.back().time, time);
+    rows.push_back({place.line, time, {all.begin() + 1, all.end()}});
+  }
+  return rows;
+}
+
+/// Times and names of files, which must lie in the recording's folder.
+std::vector<Stamped> read_names(const fs::path& path) {
+  std::vector<Stamped> rows = read_stamped(path, 1);
+  for (const Stamped& row : rows) {
+    const fs::path name = row.fields[0];
+    const bool printable =
+        std::none_of(row.fields[0].begin(), row.fields[0].end(), [](unsigned char c) { return c < ' ' || c == 0x7F; });
+    if (!printable || name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end())
+      fail({path, row.line}, quoted(row.fields[0]) + " is not the name of a file in this folder");
   }
   return rows;
 }
@@ -83,17 +100,21 @@ fs::path depth_image(const std::vector<Stamped>& depths, double time, const fs::
 }
 
 dot::SE3d pose(const Stamped& row, const fs::path& path) {
-  double v[7] = {};
-  for (std::size_t i = 0; i < 7; ++i) {
-    const std::optional<double> number = parse_number(row.fields[i]);
-    if (!number) throw FileError(path.string() + ": '" + row.fields[i] + "' is not a number");
-    v[i] = *number;
-  }
-  return {Eigen::Quaterniond(v[6], v[3], v[4], v[5]).normalized().toRotationMatrix(), {v[0], v[1], v[2]}};
+  const char* const names[] = {"tx", "ty", "tz", "qx", "qy", "qz", "qw"};
+  constexpr Range lengths{0.99, 1.01};  // of a quaternion of three digits
+  const Place place{path, row.line};
+  double v[std::size(names)] = {};
+  for (std::size_t i = 0; i < std::size(names); ++i) v[i] = to_number(place, names[i], row.fields[i]);
+  const Eigen::Vector3d t(v[0], v[1], v[2]);
+  check_position(place, t);
+  const Eigen::Quaterniond q(v[6], v[3], v[4], v[5]);
+  in_range(place, "the quaternion's length", q.norm(), lengths);
+  return {q.normalized().toRotationMatrix(), t};
 }
 
 void read_truth(const fs::path& path, std::vector<RecordingEntry>& entries) {
   const std::vector<Stamped> rows = read_stamped(path, 7);
+  for (const Stamped& row : rows) pose(row, path);  // the lines that no image needs are to be good as well
   for (RecordingEntry& entry : entries) {
     const auto [before, after] = around(rows, entry.timestamp);
     if (before == rows.end()) continue;
@@ -112,13 +133,13 @@ bool is_tum_rgbd(const fs::path& folder) { return fs::exists(folder / "rgb.txt")
 
 Recording read_tum_rgbd(const SequenceOptions& options) {
   if (options.stereo) throw FileError(options.folder.string() + ": a TUM RGB-D recording has no stereo pair");
-  const std::vector<Stamped> depths = read_stamped(options.folder / "depth.txt", 1);
+  const std::vector<Stamped> depths = read_names(options.folder / "depth.txt");
   Recording recording;
   recording.layout = "TUM RGB-D";
   recording.depth_source = dot::DepthSource::Rgbd;
   recording.depth_units_per_metre = depth_units_per_metre;
   int number = 0;
-  for (const Stamped& image : read_stamped(options.folder / "rgb.txt", 1)) {
+  for (const Stamped& image : read_names(options.folder / "rgb.txt")) {
     RecordingEntry entry;
     entry.number = number++;
     entry.timestamp = image.time;

@@ -11,6 +11,7 @@
 #include "entries.hpp"
 #include "errors.hpp"
 #include "images.hpp"
+#include "plausible.hpp"
 #include "text.hpp"
 
 namespace runner {
@@ -21,17 +22,25 @@ namespace {
 constexpr double frames_per_second = 10;
 constexpr double depth_units_per_metre = 100;
 
+/// A pose and the line on which it stands.
+struct PoseLine {
+  Eigen::Matrix4d T;
+  int line = 0;
+};
+
 /// By frame number, for one of the two cameras: T_camera_world.
-std::map<int, Eigen::Matrix4d> read_extrinsics(const fs::path& path, int camera) {
-  std::map<int, Eigen::Matrix4d> poses;
-  for (const std::vector<double>& row : read_columns(path, {"frame", "cameraID", "r1,1", "r1,2", "r1,3", "t1", "r2,1",
-                                                            "r2,2", "r2,3", "t2", "r3,1", "r3,2", "r3,3", "t3"})) {
-    if (row[1] == camera) poses[static_cast<int>(row[0])] = pose_from_row_major(&row[2]);
+std::map<int, PoseLine> read_extrinsics(const fs::path& path, int camera) {
+  std::map<int, PoseLine> poses;
+  for (const Row& row : read_columns(path, {"frame", "cameraID", "r1,1", "r1,2", "r1,3", "t1", "r2,1", "r2,2", "r2,3",
+                                            "t2", "r3,1", "r3,2", "r3,3", "t3"})) {
+    const Place place{path, row.line};
+    const int frame = to_whole(place, "frame", row.values[0], 0, largest_number);
+    if (row.values[1] == camera) poses[frame] = {rigid_pose(place, &row.values[2]), row.line};
   }
   return poses;
 }
 
-const Eigen::Matrix4d& of_frame(const std::map<int, Eigen::Matrix4d>& poses, int frame, const fs::path& path) {
+const PoseLine& of_frame(const std::map<int, PoseLine>& poses, int frame, const fs::path& path) {
   const auto found = poses.find(frame);
   if (found == poses.end()) throw FileError(path.string() + ": has no line for frame " + std::to_string(frame));
   return found->second;
@@ -39,18 +48,23 @@ const Eigen::Matrix4d& of_frame(const std::map<int, Eigen::Matrix4d>& poses, int
 
 /// Metres from camera 0 to camera 1 at one frame; 0 without camera 1.
 double baseline(const fs::path& extrinsics, int frame) {
-  const std::map<int, Eigen::Matrix4d> right = read_extrinsics(extrinsics, 1);
-  if (right.empty()) return 0;
-  const Eigen::Matrix4d T_right_left =
-      of_frame(right, frame, extrinsics) * of_frame(read_extrinsics(extrinsics, 0), frame, extrinsics).inverse();
-  return -T_right_left(0, 3);
+  const std::map<int, PoseLine> rights = read_extrinsics(extrinsics, 1);
+  if (rights.empty()) return 0;
+  const PoseLine& right = of_frame(rights, frame, extrinsics);
+  const Eigen::Matrix4d T_world_left = of_frame(read_extrinsics(extrinsics, 0), frame, extrinsics).T.inverse();
+  return in_range({extrinsics, right.line}, "the baseline from camera 0 to camera 1", -(right.T * T_world_left)(0, 3),
+                  baselines);
 }
 
 dot::Intrinsics read_intrinsics(const fs::path& path, cv::Size size) {
-  for (const std::vector<double>& row : read_columns(path, {"cameraID", "K[0,0]", "K[1,1]", "K[0,2]", "K[1,2]"})) {
-    if (row[0] == 0 && row[1] > 0 && row[2] > 0) return {row[1], row[2], row[3], row[4], size.width, size.height, 0};
+  for (const Row& row : read_columns(path, {"cameraID", "K[0,0]", "K[1,1]", "K[0,2]", "K[1,2]"})) {
+    if (row.values[0] != 0) continue;
+    const std::vector<double>& K = row.values;
+    const dot::Intrinsics camera{K[1], K[2], K[3], K[4], size.width, size.height, 0};
+    check_intrinsics({path, row.line}, camera);
+    return camera;
   }
-  throw FileError(path.string() + ": has no line with focal lengths > 0 for camera 0");
+  throw FileError(path.string() + ": has no line for camera 0");
 }
 
 /// Object's pose in the camera's coordinates; origin in the middle of the box's bottom, angles in KITTI's manner.
@@ -66,14 +80,29 @@ Eigen::Matrix4d object_pose(const double* position, const double* angles_yxz) {
 
 using EntryByNumber = std::map<int, RecordingEntry*>;
 
+/// The frame and the object of a row that begins with frame, cameraID and trackID.
+struct Sighting {
+  RecordingEntry* entry = nullptr;  ///< none: of camera 1, or of a frame that is not played
+  int id = 0;                       ///< one above the track's, 0 being the background
+};
+
+Sighting sighting(const Place& place, const std::vector<double>& row, const EntryByNumber& entries) {
+  const int frame = to_whole(place, "frame", row[0], 0, largest_number);
+  const int track = to_whole(place, "trackID", row[2], 0, largest_id - 1);
+  const auto entry = entries.find(frame);
+  return {row[1] == 0 && entry != entries.end() ? entry->second : nullptr, track + 1};
+}
+
 void read_object_poses(const fs::path& path, const EntryByNumber& entries) {
-  for (const std::vector<double>& row :
+  for (const Row& row :
        read_columns(path, {"frame", "cameraID", "trackID", "camera_space_X", "camera_space_Y", "camera_space_Z",
                            "rotation_camera_space_y", "rotation_camera_space_x", "rotation_camera_space_z"})) {
-    const auto entry = entries.find(static_cast<int>(row[0]));
-    if (row[1] != 0 || entry == entries.end()) continue;
-    TruthEntry& truth = entry->second->truth;
-    truth.poses[static_cast<int>(row[2]) + 1] = *truth.camera * object_pose(&row[3], &row[6]);
+    const Place place{path, row.line};
+    const Sighting seen = sighting(place, row.values, entries);
+    check_position(place, Eigen::Vector3d(&row.values[3]));
+    if (seen.entry == nullptr) continue;
+    TruthEntry& truth = seen.entry->truth;
+    truth.poses[seen.id] = *truth.camera * object_pose(&row.values[3], &row.values[6]);
   }
 }
 
@@ -94,18 +123,19 @@ double speed(const EntryByNumber& entries, int frame, int id) {
 
 void read_truth(const fs::path& folder, const fs::path& extrinsics, std::vector<RecordingEntry>& entries) {
   EntryByNumber by_number;
-  const std::map<int, Eigen::Matrix4d> T_camera_world = read_extrinsics(extrinsics, 0);
+  const std::map<int, PoseLine> T_camera_world = read_extrinsics(extrinsics, 0);
   for (RecordingEntry& entry : entries) {
     by_number[entry.number] = &entry;
-    entry.truth.camera = of_frame(T_camera_world, entry.number, extrinsics).inverse();
+    entry.truth.camera = of_frame(T_camera_world, entry.number, extrinsics).T.inverse();
   }
   read_object_poses(folder / "pose.txt", by_number);
-  for (const std::vector<double>& row :
-       read_columns(folder / "bbox.txt", {"frame", "cameraID", "trackID", "isMoving"})) {
-    const auto entry = by_number.find(static_cast<int>(row[0]));
-    if (row[1] != 0 || entry == by_number.end()) continue;
-    const int id = static_cast<int>(row[2]) + 1;
-    entry->second->truth.objects[id] = {row[3] != 0, speed(by_number, entry->first, id)};
+  const fs::path boxes = folder / "bbox.txt";
+  for (const Row& row : read_columns(boxes, {"frame", "cameraID", "trackID", "isMoving"})) {
+    const Place place{boxes, row.line};
+    const Sighting seen = sighting(place, row.values, by_number);
+    const bool moving = to_whole(place, "isMoving", row.values[3], 0, 1) == 1;
+    if (seen.entry == nullptr) continue;
+    seen.entry->truth.objects[seen.id] = {moving, speed(by_number, seen.entry->number, seen.id)};
   }
 }
 

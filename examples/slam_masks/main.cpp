@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
       std::printf("%s", slam::usage().c_str());
       return 0;
     }
-    cv::setNumThreads(arguments.run.threads);
+    cv::setNumThreads(tracker_options(arguments.run, dot::DepthSource::Unknown).threads);
     slam::Table table(arguments.seeds);
     for (const std::filesystem::path& sequence : arguments.sequences)
       table.add(slam::run_experiment(arguments, sequence));

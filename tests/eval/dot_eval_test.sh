@@ -65,6 +65,10 @@ for file in camera.txt objects.csv labels/000005.png instances/000005.png; do
 done
 [ "$(wc -l < "$work/out/first-every2/timing.csv")" -eq 7 ] || fail "timing.csv has not a line a frame"
 
+mv "$work/out/first-every2/labels/000005.png" "$work/out/first-every2/labels/000009.png"
+ends "output again" 0 "first" "$work/first" --rates 2 --out "$work/out"
+[ "$(ls "$work/out/first-every2/labels")" = "$(ls "$work/run/labels")" ] || fail "a second run leaves files of the first"
+
 # --- Side by side the results are the same, in the same order; times apart.
 
 figures() { grep -v -e '_ms' -e '"ms_per_frame"' -e '"image"' -e '"camera": [0-9]' -e '"masks"' -e '"objects"' \
@@ -91,6 +95,8 @@ ends "the same sequence twice" 2 "given twice" "$work/first" "$work/out/../first
 ends "a camera for two" 2 "--camera" "$work/first" "$work/other" --camera "$work/first/poses.txt"
 ends "negative speed" 2 "--min-speed" "$sample" --min-speed -1
 ends "unknown option" 2 "--no-such" "$sample" --no-such
+ends "too many threads" 2 "--threads needs a whole number from 1 to 256" "$sample" --threads 100000
+ends "too many threads in the settings" 1 ":1: threads" "$sample" --config <(echo "threads = 100000")
 ends "unknown setting" 1 "velocity.v1" "$sample" --config <(echo "velocity.v1 = 1")
 ends "page into a folder that is not there" 1 "$work/none/x.html" "$work/first" --html "$work/none/x.html"
 

@@ -161,16 +161,16 @@ TEST(Bounds, TheLargestObjectsAreFollowedAndTheOthersSayWhyNot) {
 
 // Instances that jump so far that none is found again: tracks do not pile up.
 TEST(Bounds, TracksAreNoMoreThanTwiceTheInstancesAllowed) {
-  Wall wall(12, 8, 20, 40);
+  Wall wall(6, 5, 16, 96);  // each has six places
   Options options;
   options.object.max_fitted = 4;
-  options.mask.max_instances = 100;
+  options.mask.max_instances = 30;
   options.mask.keep_seconds = 10;
   Dot<> dot(Wall::camera(), options);
   std::size_t most = 0;
-  for (int i = 0; i < 12; ++i) most = std::max(most, dot.track(wall.next(i % 2 * 20)).objects.size);
-  EXPECT_GT(most, 150u);
-  EXPECT_LE(most, 200u + 96u) << "those that are dropped are told of once";
+  for (int i = 0; i < 12; ++i) most = std::max(most, dot.track(wall.next(i % 6 * 16)).objects.size);
+  EXPECT_GT(most, 60u);
+  EXPECT_LE(most, 60u + 30u) << "those that are dropped are told of once";
 }
 
 /// Alignments that each object costs in a frame of which no mask belongs to any of them.

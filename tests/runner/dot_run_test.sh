@@ -86,9 +86,16 @@ rm -r "$seq/depth"
 accepts "stereo without a depth folder" "$seq" --out "$out"
 
 fresh
-rm "$seq"/masks/*
+rm -r "$seq/masks"
 accepts "no masks" "$seq" --out "$out"
 [ "$(wc -l < "$out/objects.csv")" -eq 1 ] || fail "objects without any mask"
+grep -qF "masks     none: there is no folder $seq/masks" "$work/stdout" || fail "the summary does not say that there were no masks"
+fresh
+rm "$seq/masks/000000.png"
+accepts "no masks in the frames that are wanted" "$seq" --out "$out" --mask-every 3
+grep -q '^masks     none in these frames' "$work/stdout" || fail "the summary does not say that no mask was wanted"
+accepts "masks in two of three frames" "$seq" --out "$out"
+grep -q '^masks     in 2 of 3 frames$' "$work/stdout" || fail "the summary does not count the frames with masks"
 
 fresh
 rm "$seq/times.txt"
@@ -133,6 +140,10 @@ rejects "two sequences" 2 "more than one sequence" "$seq" "$seq" --out "$out"
 rejects "mask rate 0" 2 "--mask-every" "$seq" --out "$out" --mask-every 0
 rejects "mask rate in words" 2 "--mask-every" "$seq" --out "$out" --mask-every often
 rejects "no threads" 2 "--threads" "$seq" --out "$out" --threads 0
+rejects "too many threads" 2 "--threads needs a whole number from 1 to 256" "$seq" --out "$out" --threads 257
+rejects "threads beyond reason" 2 "--threads" "$seq" --out "$out" --threads 100000
+echo "threads = 100000" > "$seq/config"
+rejects "threads beyond reason in the settings" 1 "config:1: threads" "$seq" --out "$out" --config "$seq/config"
 rejects "unknown classifier" 2 "--classifier" "$seq" --out "$out" --classifier guess
 rejects "negative delay" 2 "--mask-delay" "$seq" --out "$out" --mask-delay -1
 rejects "output into the sequence" 2 "--out" "$seq" --out "$seq/."
@@ -149,19 +160,19 @@ rejects "no camera file" 1 "$seq/none" "$seq" --out "$out" --camera "$seq/none"
 fresh; rm "$seq/intrinsics.txt"
 rejects "missing intrinsics" 1 "intrinsics.txt" "$seq" --out "$out"
 fresh; : > "$seq/intrinsics.txt"
-rejects "empty intrinsics" 1 "intrinsics.txt: fx" "$seq" --out "$out"
+rejects "empty intrinsics" 1 "intrinsics.txt:1: fx" "$seq" --out "$out"
 fresh; echo "362.5 362.5 309.5 93.5 620 188" > "$seq/intrinsics.txt"
-rejects "intrinsics without baseline" 1 "intrinsics.txt: baseline" "$seq" --out "$out"
+rejects "intrinsics without baseline" 1 "intrinsics.txt:1: baseline" "$seq" --out "$out"
 fresh; echo "0 362.5 309.5 93.5 620 188 0.53 10" > "$seq/intrinsics.txt"
-rejects "focal length 0" 1 "intrinsics.txt: fx" "$seq" --out "$out"
+rejects "focal length 0" 1 "intrinsics.txt:1: fx" "$seq" --out "$out"
 fresh; echo "362.5 abc 309.5 93.5 620 188 0.53 10" > "$seq/intrinsics.txt"
-rejects "focal length in letters" 1 "intrinsics.txt: fy" "$seq" --out "$out"
+rejects "focal length in letters" 1 "intrinsics.txt:1: fy" "$seq" --out "$out"
 fresh; echo "362.5 362.5 309.5 93.5 620 188 0.53 0" > "$seq/intrinsics.txt"
-rejects "frame rate 0" 1 "intrinsics.txt: fps" "$seq" --out "$out"
+rejects "frame rate 0" 1 "intrinsics.txt:1: fps" "$seq" --out "$out"
 fresh; echo "362.5 362.5 309.5 93.5 640 480 0.53 10" > "$seq/intrinsics.txt"
 rejects "another image size" 1 "rgb/000000.png" "$seq" --out "$out"
 fresh; echo "depth sonar" >> "$seq/intrinsics.txt"
-rejects "unknown depth source" 1 "intrinsics.txt: line 2" "$seq" --out "$out"
+rejects "unknown depth source" 1 "intrinsics.txt:2: " "$seq" --out "$out"
 fresh; echo "362.5 362.5 309.5 93.5 620 188 0 10" > "$seq/intrinsics.txt"
 rejects "stereo without baseline" 1 "intrinsics.txt: baseline" "$seq" --out "$out" --stereo
 fresh; rm -r "$seq/right"
@@ -177,9 +188,9 @@ rejects "two images of a frame" 1 "rgb/000001" "$seq" --out "$out"
 fresh; printf '0\n0.1\n' > "$seq/times.txt"
 rejects "too few times" 1 "times.txt" "$seq" --out "$out"
 fresh; printf '0\n0.1\n0.1\n' > "$seq/times.txt"
-rejects "times that stand still" 1 "times.txt: line 3" "$seq" --out "$out"
+rejects "times that stand still" 1 "times.txt:3:" "$seq" --out "$out"
 fresh; printf '0\nnoon\n0.2\n' > "$seq/times.txt"
-rejects "times in words" 1 "times.txt: line 2" "$seq" --out "$out"
+rejects "times in words" 1 "times.txt:2:" "$seq" --out "$out"
 
 # --- Images.
 
@@ -206,28 +217,35 @@ rejects "folder as mask" 1 "masks/000001.png" "$seq" --out "$out"
 fresh; ln -sf nowhere "$seq/masks/000001.png"
 rejects "dangling link as mask" 1 "masks/000001.png" "$seq" --out "$out"
 fresh; printf '0,car,1\n' > "$seq/masks/000001.csv"
-rejects "instance 0" 1 "masks/000001.csv: line 1" "$seq" --out "$out"
+rejects "instance 0" 1 "masks/000001.csv:1:" "$seq" --out "$out"
 fresh; printf 'id,class,score\n1\n' > "$seq/masks/000001.csv"
-rejects "instance without class" 1 "masks/000001.csv: line 2" "$seq" --out "$out"
+rejects "instance without class" 1 "masks/000001.csv:2:" "$seq" --out "$out"
+
+fresh; rm "$seq"/masks/*
+rejects "empty mask folder" 1 "$seq/masks: holds no masks" "$seq" --out "$out"
+fresh; rm -r "$seq/masks"; : > "$seq/masks"
+rejects "file instead of masks/" 1 "$seq/masks" "$seq" --out "$out"
+fresh; for file in "$seq"/masks/*.png; do echo "this is not an image" > "$file"; done
+rejects "no mask that can be read" 1 "masks/000000.png" "$seq" --out "$out"
 
 # --- Files named on the command line.
 
 fresh; echo "velocity.v1 = 0.5" > "$seq/config"
 rejects "unknown setting" 1 "velocity.v1" "$seq" --out "$out" --config "$seq/config"
 fresh; printf '\nvelocity.v0 = fast\n' > "$seq/config"
-rejects "setting in words" 1 "config: line 2: velocity.v0" "$seq" --out "$out" --config "$seq/config"
+rejects "setting in words" 1 "config:2: velocity.v0" "$seq" --out "$out" --config "$seq/config"
 fresh; echo "align.max_levels = 3.5" > "$seq/config"
 rejects "half a level" 1 "align.max_levels" "$seq" --out "$out" --config "$seq/config"
 fresh; echo "velocity.v0" > "$seq/config"
-rejects "setting without value" 1 "config: line 1" "$seq" --out "$out" --config "$seq/config"
+rejects "setting without value" 1 "config:1: " "$seq" --out "$out" --config "$seq/config"
 fresh; echo "velocity.v0 = -1" > "$seq/config"
 rejects "setting out of range" 1 "velocity.v0" "$seq" --out "$out" --config "$seq/config"
 fresh; printf '1 0 0 0 0 1 0 0 0 0 1 0\n' > "$seq/poses"
 rejects "too few poses" 1 "$seq/poses" "$seq" --out "$out" --camera "$seq/poses"
 fresh; printf '1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0\n1 0 0 0 0 1 0 0 0 0 1 0\n' > "$seq/poses"
-rejects "short pose" 1 "poses: line 2" "$seq" --out "$out" --camera "$seq/poses"
+rejects "short pose" 1 "poses:2:" "$seq" --out "$out" --camera "$seq/poses"
 fresh; printf '1 0 0 0 0 1 0 0 0 0 1 0\n2 0 0 0 0 2 0 0 0 0 2 0\n1 0 0 0 0 1 0 0 0 0 1 0\n' > "$seq/poses"
-rejects "pose with a scale" 1 "poses: line 2" "$seq" --out "$out" --camera "$seq/poses"
+rejects "pose with a scale" 1 "poses:2:" "$seq" --out "$out" --camera "$seq/poses"
 
 # --- Outputs. A file where a folder belongs stops root as well, unlike a missing permission.
 
@@ -242,6 +260,70 @@ rejects "folder instead of a label image" 1 "$out/labels/000001.png" "$seq" --ou
 has "$out/labels/000000.png"
 fresh; : > "$work/$cases/file"
 rejects "masks below a file" 1 "$work/$cases/file/m" "$seq" --out "$out" --masks-out "$work/$cases/file/m"
+
+# --- A second run into the same folder leaves nothing of the first, and nothing else is removed.
+
+# names FOLDER: all files in it.
+names() { (cd "$1" && find . -type f | sort); }
+
+fresh
+"$dot_run" "$seq" --out "$work/clean" --masks-out "$work/clean/m" > /dev/null
+rm "$seq"/{rgb,depth,masks}/000002.png
+accepts "a run of two frames" "$seq" --out "$work/two" --masks-out "$work/two/m"
+fresh
+accepts "a run of three frames" "$seq" --out "$out" --masks-out "$out/m" --overlay
+mkdir "$out/labels/000009.png" "$out/plots"
+touch "$out/notes.txt" "$out/labels/legend.png" "$out/overlay/00001.png" "$out/m/mask_dot/readme" "$out/plots/000000.png"
+rm "$seq"/{rgb,depth,masks}/000002.png
+accepts "a run of two frames into its folder" "$seq" --out "$out" --masks-out "$out/m"
+expected=$(printf '%s\n' ./labels/legend.png ./m/mask_dot/readme ./notes.txt ./overlay/00001.png ./plots/000000.png)
+left=$(comm -13 <(names "$work/two") <(names "$out"))
+[ "$left" = "$expected" ] || fail "beside the results of two frames there is: $left"
+[ -d "$out/labels/000009.png" ] || fail "a folder was removed"
+fresh
+accepts "masks in the folder of the results" "$seq" --out "$out" --masks-out "$out"
+accepts "no masks the next time" "$seq" --out "$out"
+[ ! -e "$out/mask_dot" ] && [ ! -e "$out/mask_all" ] || fail "masks of the run before are left"
+fresh
+mkdir -p "$out/labels"; touch "$out/labels/000007.png"
+rejects "labels of somebody else" 1 "$out/labels/000007.png" "$seq" --out "$out"
+[ -f "$out/labels/000007.png" ] || fail "a file of somebody else was removed"
+fresh
+mkdir -p "$out"; echo "my camera" > "$out/camera.txt"
+rejects "camera.txt of somebody else" 1 "$out/camera.txt" "$seq" --out "$out"
+[ "$(cat "$out/camera.txt")" = "my camera" ] || fail "camera.txt of somebody else was written to"
+
+# --- A run that is killed: no picture is half written, no table has its name; the next run is as any other.
+
+fresh
+cp -r "$seq" "$seq.whole"
+rm "$seq/depth/000002.png"
+mkfifo "$seq/depth/000002.png" # the run waits here for its third frame
+"$dot_run" "$seq" --out "$out" --masks-out "$out/m" > /dev/null 2>&1 &
+run=$!
+# The tables' lines of a frame follow its pictures; the wait is long for a slow machine alone.
+for ((i = 0; i < 600; ++i)); do
+  grep -qs '^1,' "$out/timing.csv.partial" "$out/timing.csv" && break
+  sleep 0.1
+done
+kill -KILL "$run"
+wait "$run" 2> /dev/null
+for file in labels instances m/mask_dot m/mask_all; do
+  for i in 0 1; do cmp -s "$out/$file/00000$i.png" "$work/clean/$file/00000$i.png" || fail "killed: $file/00000$i.png differs"; done
+  [ "$(ls "$out/$file")" = "$(printf '00000%d.png\n' 0 1)" ] || fail "killed: $file/ holds $(ls "$out/$file")"
+done
+for file in camera.txt objects.csv timing.csv; do
+  [ ! -e "$out/$file" ] || fail "killed: $file looks complete"
+  [ -s "$out/$file.partial" ] || fail "killed: nothing of $file was kept"
+done
+cmp -s <(head -n 2 "$work/clean/camera.txt") "$out/camera.txt.partial" || fail "killed: the camera of two frames is not there"
+# As if it had been killed while it wrote a picture, too.
+head -c 20 "$work/clean/labels/000002.png" > "$out/labels/000002.png.partial"
+echo "not ours" > "$out/labels/000002.partial"
+accepts "after a killed run" "$seq.whole" --out "$out" --masks-out "$out/m"
+rm "$out/labels/000002.partial" || fail "a file that is not ours was removed"
+[ "$(names "$out")" = "$(names "$work/clean")" ] || fail "after a killed run the folder holds: $(names "$out")"
+diff -r -x timing.csv "$work/clean" "$out" > "$work/stderr" || fail "after a killed run the results differ"
 
 if [ "$failures" -gt 0 ]; then
   echo "$failures checks failed" >&2

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <string>
 #include <vector>
 
 #include "sequence/images.hpp"
@@ -66,6 +67,23 @@ TEST(ReadIndices, BadFilesAreNamed) {
   std::vector<std::uint8_t> endless = eight_bits;
   endless[106] = 0x7F;  // length of the pixels' chunk
   EXPECT_THROW(read(folder, endless), runner::FileError);
+  std::vector<std::uint8_t> deep;
+  cv::imencode(".png", cv::Mat(2, 3, CV_16UC1, cv::Scalar(300)), deep);
+  deep[25] = 3;  // says that it has a palette, whose indices have eight bits at most
+  EXPECT_THROW(read(folder, deep), runner::FileError);
+}
+
+/// The header alone makes a decoder take memory.
+TEST(ReadIndices, AHugeSizeIsRefusedBeforeItIsDecoded) {
+  const RecordingFolder folder;
+  std::vector<std::uint8_t> huge = eight_bits;
+  huge[18] = huge[22] = 0x40;  // 16,384 columns and rows more
+  try {
+    read(folder, huge);
+    ADD_FAILURE() << "accepted";
+  } catch (const runner::FileError& error) {
+    EXPECT_NE(std::string(error.what()).find("has more than 134 million pixels"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace

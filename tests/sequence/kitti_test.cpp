@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "support/recording_folder.hpp"
+#include "support/complaints.hpp"
 
 namespace {
 
@@ -100,14 +100,42 @@ TEST(KittiOdometry, ErrorsNameFileAndLine) {
   folder.text("calib.txt", "P2: 100 0 3 6 0 100 2 0 0 0 1 0\n");
   EXPECT_EQ(folder.complaint(), calib + ": has no line 'P3:'");
   folder.text("calib.txt", "P2: 100 0 3 6 0 100 2 0 0 0 1 0\nP3: 100 0 3\n");
-  EXPECT_EQ(folder.complaint(), calib + ": line 2 has 3 numbers, must have 12");
+  EXPECT_EQ(folder.complaint(), calib + ":2: has 3 numbers, must have 12");
   folder.text("calib.txt", "P2: 100 0 3 6 0 100 2 0 0 0 1 x\n");
-  EXPECT_EQ(folder.complaint(), calib + ": line 1: 'x' is not a number");
+  EXPECT_EQ(folder.complaint(), calib + ":1: P2 'x' is not a number");
   folder.text("calib.txt", with_prefix("P"));
   folder.text("times.txt", "0\n0.2\n0.1\n");
-  EXPECT_EQ(folder.complaint(), times + ": line 3: times must increase");
+  EXPECT_EQ(folder.complaint(), times + ":3: times must increase, by a microsecond or more");
   folder.text("times.txt", "0\n0.2\n");
   EXPECT_EQ(folder.complaint(), times + ": has 2 lines for 3 frames");
+}
+
+TEST(KittiOdometry, CalibrationsThatAreNone) {
+  const RecordingFolder folder;
+  write_odometry(folder);
+  const std::string right = "P3: 100 0 3 -44 0 100 2 0 0 0 1 0\n";
+  const std::string shape = " must be 'fx 0 cx . 0 fy cy . 0 0 1 .', the projection of a rectified camera";
+  expect_complaints(folder, "calib.txt",
+                    {{"calib_huge", "P2: 1e-300 0 3 1e300 0 100 2 0 0 0 1 0\n" + right,
+                      ":1: fx is 1e-300, must be from 1 to 1000000"},
+                     {"calib_skew", "P2: 100 5 3 0 9 100 2 0 3 3 7 0\n" + right, ":1: P2" + shape},
+                     {"singular", right + "P2: 100 0 3 6 0 100 2 0 0 0 0 0\n", ":2: P2" + shape},
+                     {"calib_neg_baseline", "P2: 100 0 3 0 0 100 2 0 0 0 1 0\nP3: 100 0 3 50 0 100 2 0 0 0 1 0\n",
+                      ":2: the baseline from P2 to P3 is -0.5, must be from 0 to 1000"},
+                     {"far apart", "P2: 100 0 3 1e300 0 100 2 0 0 0 1 0\n" + right,
+                      ":1: x is 1e+298, must be from -1000000000 to 1000000000"},
+                     {"not a pair", right + "P2: 100 0 4 6 0 100 2 0 0 0 1 0\n",
+                      ":1: P3 has other focal lengths or another centre than P2, as no rectified pair has"}});
+}
+
+TEST(KittiOdometry, PosesThatAreNotRigid) {
+  const RecordingFolder folder("sequences/07");
+  write_odometry(folder);
+  const std::string still = "1 0 0 0 0 1 0 0 0 0 1 0\n";
+  folder.text("../../poses/07.txt", still + still + still);
+  expect_complaints(folder, "../../poses/07.txt",
+                    {{"a zero on the diagonal", still + "1 0 0 0 0 0 0 0 0 0 1 0\n" + still,
+                      ":2: the pose's 3x3 part is not a rotation"}});
 }
 
 void write_raw(const RecordingFolder& folder) {
@@ -142,14 +170,65 @@ TEST(KittiRaw, ErrorsNameFileAndLine) {
   const RecordingFolder folder("day/drive");
   write_raw(folder);
   folder.text("image_02/timestamps.txt", "2011-09-26 13:02:25.96\n2011-09-26 13:02\n");
-  EXPECT_EQ(folder.complaint(), (folder.path() / "image_02/timestamps.txt").string() +
-                                    ": line 2: must be like '2011-09-26 13:02:25.964389445'");
+  EXPECT_EQ(folder.complaint(),
+            (folder.path() / "image_02/timestamps.txt").string() + ":2: must be like '2011-09-26 13:02:25.964389445'");
   write_raw(folder);
   folder.text("oxts/data/0000000001.txt", "49.0 8.4 116 0 0\n");
   folder.text("../calib_imu_to_velo.txt", "R: 1 0 0 0 1 0 0 0 1\nT: 0 0 0\n");
   folder.text("../calib_velo_to_cam.txt", "R: 1 0 0 0 1 0 0 0 1\nT: 0 0 0\n");
   EXPECT_EQ(folder.complaint(),
-            (folder.path() / "oxts/data/0000000001.txt").string() + ": line 1 must begin with six numbers");
+            (folder.path() / "oxts/data/0000000001.txt").string() + ":1: must begin with six numbers");
+}
+
+TEST(KittiRaw, TimesThatAreNone) {
+  const RecordingFolder folder("day/drive");
+  write_raw(folder);
+  const std::string form = ": must be like '2011-09-26 13:02:25.964389445'";
+  expect_complaints(
+      folder, "image_02/timestamps.txt",
+      {{"raw_time_neg", "a -1:00:00\na 0:0:99999\nb 1:1:1\n", ":1" + form},
+       {"negative hour", "2011-09-26 -1:00:00\n2011-09-26 00:00:01\n",
+        ":1: the hour is -1, must be a whole number from 0 to 23"},
+       {"many seconds", "2011-09-26 00:00:00\n\n2011-09-26 00:00:99999\n",
+        ":3: the second is 99999, must be from 0 to 60"},
+       {"half a minute", "2011-09-26 00:0.5:00\n", ":1: the minute is 0.5, must be a whole number from 0 to 59"},
+       {"back a day", "2011-09-26 00:00:00\n2011-09-25 00:00:00\n", ":2: the date goes back"}});
+}
+
+void write_navigation(const RecordingFolder& folder) {
+  folder.text("../calib_imu_to_velo.txt", "R: 1 0 0 0 1 0 0 0 1\nT: 0 0 0\n");
+  folder.text("../calib_velo_to_cam.txt", "R: 0 -1 0 0 0 -1 1 0 0\nT: 0 0 -1\n");
+  folder.text("oxts/data/0000000001.txt", "49.0 8.4 116 0 0 0\n");
+  folder.text("oxts/data/0000000002.txt", "49.0 8.4 116 0 0 0\n");
+}
+
+TEST(KittiRaw, NavigationOutOfRange) {
+  const RecordingFolder folder("day/drive");
+  write_raw(folder);
+  write_navigation(folder);
+  const std::string latitude = ", must be from -85 to 85";
+  expect_complaints(
+      folder, "oxts/data/0000000001.txt",
+      {{"oxts_pole", "90 8.4 112 0 0 0\n", ":1: latitude is 90" + latitude},
+       {"oxts_lat", "1000 8.4 112 0 0 0\n", ":1: latitude is 1000" + latitude},
+       {"oxts_huge", "49 8.4 1e308 1e300 0 0\n", ":1: altitude is 1e+308, must be from -100000 to 100000"},
+       {"roll", "49 8.4 116 1e300 0 0\n", ":1: roll is 1e+300, must be from -7 to 7"},
+       {"junk", "49 8.4x 116 0 0 0\n", ":1: longitude '8.4x' is not a number"}});
+}
+
+TEST(KittiRaw, MountingsThatAreNotRigid) {
+  const RecordingFolder folder("day/drive");
+  write_raw(folder);
+  write_navigation(folder);
+  expect_complaints(folder, "../calib_imu_to_velo.txt",
+                    {{"imu_zero", "calib_time: 0\nR: 0 0 0 0 0 0 0 0 0\nT: 0 0 0\n", ":2: R is not a rotation"},
+                     {"mirrored", "T: 0 0 0\nR: 1 0 0 0 1 0 0 0 -1\n", ":2: R is a mirror image, not a rotation"},
+                     {"far away", "R: 1 0 0 0 1 0 0 0 1\nT: 0 0 1e300\n",
+                      ":2: z is 1e+300, must be from -1000000000 to 1000000000"}});
+  write_navigation(folder);
+  expect_complaints(folder, "../calib_cam_to_cam.txt",
+                    {{"rectified by nothing", "R_rect_00: 1 1 0 0 1 0 0 0 1\n" + with_prefix("P_rect_0"),
+                      ":1: R_rect_00 is not a rotation"}});
 }
 
 /// A car that drives east, then turns left by 90 degrees on the spot; the camera is 1 m ahead of the navigation unit

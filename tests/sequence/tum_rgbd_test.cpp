@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "sequence/sequence.hpp"
-#include "support/recording_folder.hpp"
+#include "support/complaints.hpp"
 
 namespace {
 
@@ -80,14 +80,45 @@ TEST(TumRgbd, ErrorsNameFileAndLine) {
   write_room(folder);
   const std::string rgb = (folder.path() / "rgb.txt").string();
   folder.text("rgb.txt", "# color images\n10.00\n");
-  EXPECT_EQ(folder.complaint(), rgb + ": line 2 must be a time and 1 name");
+  EXPECT_EQ(folder.complaint(), rgb + ":2: must be a time and 1 name");
   folder.text("rgb.txt", "10.00 rgb/10.00.png\n9.00 rgb/10.03.png\n");
-  EXPECT_EQ(folder.complaint(), rgb + ": line 2: times must increase");
+  EXPECT_EQ(folder.complaint(), rgb + ":2: times must increase, by a microsecond or more");
   folder.text("rgb.txt", "20.00 rgb/10.00.png\n");
   EXPECT_EQ(folder.complaint(), rgb + ": no image has a depth image of its time");
   write_room(folder);
   folder.text("groundtruth.txt", "9.99 1 2 3 0 0 0\n");
-  EXPECT_EQ(folder.complaint(), (folder.path() / "groundtruth.txt").string() + ": line 1 must be a time and 7 numbers");
+  EXPECT_EQ(folder.complaint(), (folder.path() / "groundtruth.txt").string() + ":1: must be a time and 7 numbers");
+}
+
+/// Whatever stands there would be opened, /dev/zero without an end.
+TEST(TumRgbd, NamesThatLeadOutOfTheFolder) {
+  using std::string_literals::operator""s;
+  for (const std::string list : {"rgb.txt", "depth.txt"}) {
+    const RecordingFolder folder;
+    write_room(folder);
+    const std::string none = " is not the name of a file in this folder";
+    expect_complaints(folder, list,
+                      {{"from the root", "10.00 /dev/zero\n", ":1: '/dev/zero'" + none},
+                       {"from above", "# t\n10.00 rgb/../../10.00.png\n", ":2: 'rgb/../../10.00.png'" + none},
+                       {"cut by a NUL", "10.00 rgb/10.00.png\0x\n"s, ":1: 'rgb/10.00.png?x'" + none}});
+  }
+}
+
+TEST(TumRgbd, TruePosesThatAreNone) {
+  const RecordingFolder folder;
+  write_room(folder);
+  folder.text("groundtruth.txt", "10.00 1 2 3 0 0 0 1\n10.06 1 2 3 0 0 0 1\n");
+  const std::string length = ", must be from 0.99 to 1.01";
+  expect_complaints(
+      folder, "groundtruth.txt",
+      {{"three digits", "10.00 1 2 3 0.577 0.577 0.577 0.0\n", ""},
+       {"tum_zero_quat", "10.00 0 0 0 0 0 0 0\n", ":1: the quaternion's length is 0" + length},
+       {"tum_huge_quat", "# t\n10.00 0 0 0 1e150 0 0 0\n", ":2: the quaternion's length is 1e+150" + length},
+       {"tum_huge_quat: position", "10.00 1e300 0 0 1e300 0 0 1e300\n",
+        ":1: x is 1e+300, must be from -1000000000 to 1000000000"},
+       {"a line that no image needs", "9.00 1 2 3 0 0 0 1\n10.00 1 2 3 0 0 0 1\n20.00 0 0 0 0 0 0 0\n",
+        ":3: the quaternion's length is 0" + length},
+       {"junk", "10.00 1 2 3 0 0 0 1x\n", ":1: qw '1x' is not a number"}});
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "sequence/sequence.hpp"
-#include "support/recording_folder.hpp"
+#include "support/complaints.hpp"
 
 namespace {
 
@@ -100,9 +100,9 @@ TEST(Vkitti2, ErrorsNameFileAndLine) {
   const RecordingFolder folder("Scene01/clone");
   write_scene(folder);
   folder.text("bbox.txt", "frame cameraID trackID isMoving\n0 0 0 False\n0 0 4 maybe\n");
-  EXPECT_EQ(folder.complaint(), (folder.path() / "bbox.txt").string() + ": line 3: isMoving 'maybe' is not a number");
+  EXPECT_EQ(folder.complaint(), (folder.path() / "bbox.txt").string() + ":3: isMoving 'maybe' is not a number");
   folder.text("bbox.txt", "frame cameraID trackID\n");
-  EXPECT_EQ(folder.complaint(), (folder.path() / "bbox.txt").string() + ": line 1 has no column 'isMoving'");
+  EXPECT_EQ(folder.complaint(), (folder.path() / "bbox.txt").string() + ":1: has no column 'isMoving'");
   write_scene(folder);
   folder.text("extrinsic.txt",
               "frame cameraID r1,1 r1,2 r1,3 t1 r2,1 r2,2 r2,3 t2 r3,1 r3,2 r3,3 t3 0 0 0 1\n"
@@ -111,6 +111,58 @@ TEST(Vkitti2, ErrorsNameFileAndLine) {
   runner::SequenceOptions stereo = folder.options();
   stereo.stereo = true;
   EXPECT_THROW(runner::open_recording(stereo), runner::FileError) << "without a second camera";
+}
+
+TEST(Vkitti2, ExtrinsicsThatAreNone) {
+  const RecordingFolder folder("Scene01/clone");
+  write_scene(folder);
+  const std::string header = "frame cameraID r1,1 r1,2 r1,3 t1 r2,1 r2,2 r2,3 t2 r3,1 r3,2 r3,3 t3\n";
+  const std::string left = "0 0 1 0 0 0 0 1 0 0 0 0 1 0\n1 0 1 0 0 0 0 1 0 0 0 0 1 0\n";
+  expect_complaints(
+      folder, "extrinsic.txt",
+      {{"one camera", header + left, ""},
+       {"extr_zero", header + "0 0 0 0 0 0 0 0 0 0 0 0 0 0\n" + left, ":2: the pose's 3x3 part is not a rotation"},
+       {"extr_1e300", header + "1e300 0 1 0 0 0 0 1 0 0 0 0 1 0\n" + left,
+        ":2: frame is 1e+300, must be a whole number from 0 to 999999999"},
+       {"cameras swapped", header + left + "0 1 1 0 0 0.5 0 1 0 0 0 0 1 0\n",
+        ":4: the baseline from camera 0 to camera 1 is -0.5, must be from 0 to 1000"},
+       {"cut", header + left + "1 0 1 0 0\n", ":4: has no t1"}});
+}
+
+TEST(Vkitti2, IntrinsicsThatAreNone) {
+  const RecordingFolder folder("Scene01/clone");
+  write_scene(folder);
+  const std::string header = "frame cameraID K[0,0] K[1,1] K[0,2] K[1,2]\n";
+  expect_complaints(folder, "intrinsic.txt",
+                    {{"no focal length", header + "0 0 0 726 3 2\n", ":2: fx is 0, must be from 1 to 1000000"},
+                     {"far centre", header + "0 1 0 0 0 0\n0 0 725 726 3 -1e300\n",
+                      ":3: cy is -1e+300, must be from -100000 to 100000"},
+                     {"other camera alone", header + "0 1 725 726 3 2\n", ": has no line for camera 0"}});
+}
+
+TEST(Vkitti2, ObjectsOutOfRange) {
+  const std::string track = ", must be a whole number from 0 to 65534";
+  {
+    const RecordingFolder folder("Scene01/clone");
+    write_scene(folder);
+    const std::string header = "frame cameraID trackID isMoving\n";
+    expect_complaints(
+        folder, "bbox.txt",
+        {{"bbox_1e300: frame", header + "1e300 0 4 True\n",
+          ":2: frame is 1e+300, must be a whole number from 0 to 999999999"},
+         {"bbox_1e300: track", header + "0 0 1e300 True\n", ":2: trackID is 1e+300" + track},
+         {"bbox_intmax", header + "0 0 2147483647 True\n", ":2: trackID is 2147483647" + track},
+         {"half moving", header + "0 0 4 0.5\n", ":2: isMoving is 0.5, must be a whole number from 0 to 1"}});
+  }
+  const RecordingFolder folder("Scene01/clone");
+  write_scene(folder);
+  const std::string header =
+      "frame cameraID trackID camera_space_X camera_space_Y camera_space_Z rotation_camera_space_y "
+      "rotation_camera_space_x rotation_camera_space_z\n";
+  expect_complaints(
+      folder, "pose.txt",
+      {{"pose_intmax", header + "0 0 2147483647 1 1 1 0 0 0\n", ":2: trackID is 2147483647" + track},
+       {"far away", header + "0 0 4 1 1e300 1 0 0 0\n", ":2: y is 1e+300, must be from -1000000000 to 1000000000"}});
 }
 
 }  // namespace

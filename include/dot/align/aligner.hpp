@@ -113,7 +113,6 @@ struct DirectAligner {
     if (!just_aligned || excluded_.size() != size) excluded_.assign(size, 0);
     residuals(problem, 0, a.state, a.sigma_intensity);
     a.sigma_intensity = scale_of_residuals(a.sigma_intensity);
-    std::fill(excluded_.begin(), excluded_.end(), std::uint8_t{0});
     const PointResiduals& p = residuals_;
     const auto r2 = [&](std::size_t i) { return sq(static_cast<double>(p.r[i])); };
     const auto s2 = [&](std::size_t i) { return sq(a.sigma_intensity) + static_cast<double>(p.extra[i]); };

@@ -237,10 +237,11 @@ class Dot {
   Current current_;
   Current previous_;  ///< its images, unless they are in history_
   CameraState camera_state_;
-  PointSet background_;            ///< of the previous frame, or of the last one that had points
-  SE3d T_cur_background_;          ///< from that frame to the current one; the identity once `track` has new points
-  double background_seconds_ = 0;  ///< from that frame to the previous one
-  Matrix6<double> guess_covariance_ = Matrix6<double>::Zero();  ///< of T_cur_background_, of what of it was guessed
+  PointSet background_;              ///< of the previous frame, or of the last one that had points
+  SE3d T_cur_background_;            ///< from that frame to the current one; the identity once `track` has new points
+  double background_seconds_ = 0;    ///< from that frame to the previous one
+  bool background_guessed_ = false;  ///< T_cur_background_ is a guess for a part of the way, whose covariance is
+  Matrix6<double> guess_covariance_ = Matrix6<double>::Zero();
   PointSet fresh_;
   DepthLearning depth_learning_;
   DepthBiasLearning bias_learning_;

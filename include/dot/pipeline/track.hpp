@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <utility>
 
 #include "dot/mask/template.hpp"
@@ -37,13 +36,14 @@ struct Track {
 
   // Its outline: the last mask that a network gave, and where that is now.
   MaskTemplate outline;
-  MaskTemplate hidden;               ///< what something nearer hid of it then
-  SE3d T_cur_outline;                ///< composed motion of the object's points since then
-  bool outline_is_newest = false;    ///< it is of the last frame that was segmented
-  WarpedMask predicted;              ///< in this frame, by the predicted or the fitted motion
-  std::optional<SE3d> predicted_by;  ///< the motion it was made by, if that is the predicted one
-  Mask mask;                         ///< what is shown in this frame
-  const Mask* observed = nullptr;    ///< this frame's network mask, if one was associated; valid during `track`
+  MaskTemplate hidden;             ///< what something nearer hid of it then
+  SE3d T_cur_outline;              ///< composed motion of the object's points since then
+  bool outline_is_newest = false;  ///< it is of the last frame that was segmented
+  WarpedMask predicted;            ///< in this frame, by the predicted or the fitted motion
+  SE3d predicted_by;               ///< the motion that `predicted` was made by, ...
+  bool is_as_predicted = false;    ///< ... if that is the predicted one
+  Mask mask;                       ///< what is shown in this frame
+  const Mask* observed = nullptr;  ///< this frame's network mask, if one was associated; valid during `track`
   Vector3<double> observed_centre = Vector3<double>::Zero();  ///< of that mask, at its median depth; zero: no depth
   bool segmented = false;                                     ///< there was one
   bool discovered = false;                                    ///< found by its motion; no network mask so far

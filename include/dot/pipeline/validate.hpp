@@ -26,7 +26,7 @@ DOT_BEGIN_NAMESPACE
 }
 
 /// Number for a message, without trailing zeros.
-inline std::string number(double value) {
+inline std::string to_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", value);
   return text;
@@ -38,7 +38,7 @@ inline void validate(const Options& options) {
     const double v = static_cast<double>(value);
     if (!(v >= range.low && v <= range.high))
       bad_field(std::string("options.") + name,
-                "is " + number(v) + ", must be " + number(range.low) + " to " + number(range.high));
+                "is " + to_text(v) + ", must be " + to_text(range.low) + " to " + to_text(range.high));
   });
   const VelocitySettings& v = options.velocity;
   if (!(v.decide > 0.5 && v.decide < 1)) bad_field("options.velocity.decide", "must be between 0.5 and 1");
@@ -121,7 +121,8 @@ inline void validate(const FieldName& field, const std::array<double, 12>& T) {
   if (det < 0) bad_field(field, "is a mirror image, not a rotation");
   constexpr double farthest = 1e4;
   for (const std::size_t i : {3, 7, 11})
-    if (std::abs(T[i]) > farthest) bad_field(field, "moves by more than " + number(farthest) + " m between two frames");
+    if (std::abs(T[i]) > farthest)
+      bad_field(field, "moves by more than " + to_text(farthest) + " m between two frames");
 }
 
 /// @throws std::invalid_argument naming the field unless C, row-major 6x6 of a twist [translation; rotation], is a
@@ -134,8 +135,8 @@ inline void validate_covariance(const FieldName& field, const std::array<double,
       if (!std::isfinite(C[6 * i + j])) bad_field(field, "must be finite");
     const double variance = C[7 * i], largest = i < 3 ? largest_translation : largest_rotation;
     if (!(variance >= 0 && variance <= largest))
-      bad_field(field, "element (" + std::to_string(i) + ", " + std::to_string(i) + ") is " + number(variance) +
-                           ", must be 0 to " + number(largest) + "; give no motion where none is known");
+      bad_field(field, "element (" + std::to_string(i) + ", " + std::to_string(i) + ") is " + to_text(variance) +
+                           ", must be 0 to " + to_text(largest) + "; give no motion where none is known");
     sigma[i] = std::sqrt(variance);
   }
   // Cholesky's decomposition of the correlations; what rounding takes from a pivot is given back.

@@ -52,6 +52,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::forget_background() noexcept {
   background_.clear();
   T_cur_background_ = {};
   background_seconds_ = 0;
+  background_guessed_ = false;
   guess_covariance_.setZero();
 }
 
@@ -202,7 +203,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::camera_motion(const Frame& frame) 
   }
   if (!c.known()) guess_camera_motion();
   c.rate_known = c.known();
-  if (c.status == CameraStatus::Tracked && !guess_covariance_.isZero()) {
+  if (c.status == CameraStatus::Tracked && background_guessed_) {
     // The previous frame's place was a guess, and only the way since the frame before that is known well.
     const Matrix6<double> Ad = c.T_cur_prev.adjoint();
     c.covariance += Ad * guess_covariance_ * Ad.transpose();
@@ -230,7 +231,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::learn_depth() {
     depth_learning_.clear();
     return;
   }
-  if (guess_covariance_.isZero())
+  if (!background_guessed_)
     depth_learning_.learn(camera_, c.T_cur_prev, current_.inverse_depth(), current_.timestamp, depth_noise,
                           current_.bias);
   else
@@ -292,13 +293,14 @@ void Dot<Camera, Classifier, Noise, Aligner>::add_background(Worker& worker) {
     T_cur_background_ = c.T_cur_prev * T_cur_background_;
     background_seconds_ += current_.dt;
     guess_covariance_ = (Ad * guess_covariance_ * Ad.transpose()).eval();
-    if (!c.known()) guess_covariance_ += c.covariance;
+    if (!c.known()) guess_covariance_ += c.covariance, background_guessed_ = true;
   } else {
     select.sample_intensities(fresh_);
     std::swap(background_, fresh_);
     background_.bias = current_.bias;
     T_cur_background_ = {};
     background_seconds_ = 0;
+    background_guessed_ = false;
     guess_covariance_.setZero();
   }
 }

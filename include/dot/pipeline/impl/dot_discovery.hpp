@@ -17,7 +17,7 @@ DOT_BEGIN_NAMESPACE
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::discover() {
   const CameraState& c = camera_state_;
-  if (!c.known() || !guess_covariance_.isZero()) discovery_.clear();
+  if (!c.known() || background_guessed_) discovery_.clear();
   discovery_.advance(c.T_cur_prev, c.covariance, c.alignment.state.gain, c.alignment.state.offset);
   blocked_.resize(camera_.width(), camera_.height());
   blocked_.fill(0);

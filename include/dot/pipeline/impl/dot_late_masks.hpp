@@ -49,7 +49,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
                    [&](const Past& p) { return p.id == frame_id; });
   if (found == std::make_reverse_iterator(history_.begin()))
     bad_field("frame_id", std::to_string(frame_id) + " is none of the frames since the last segmentation, up to " +
-                              number(options_.mask.late_seconds) + " s ago and " +
+                              to_text(options_.mask.late_seconds) + " s ago and " +
                               std::to_string(options_.mask.late_frames) + " at most");
   reset_unless_done([&] { apply_late_masks(*found, masks); });
 }

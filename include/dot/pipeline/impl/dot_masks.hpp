@@ -48,6 +48,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::predict(TrackT& t, Worker& worker)
   const SE3d T = c.T_cur_prev * t.T_o_predicted * t.T_cur_outline;
   warp_outline(t, T, current_.inverse_depth(), worker);
   t.predicted_by = T;
+  t.is_as_predicted = true;
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -55,7 +56,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::warp_outline(TrackT& object, const
                                                            const Image<float>& inverse_depth, Worker& worker) {
   const ImageView<const float> trim_by = object.outline.measured ? inverse_depth.view() : ImageView<const float>{};
   warp(object.outline, T_frame_outline, camera_, trim_by, options_.mask.depth_tolerance, worker.warp, object.predicted);
-  object.predicted_by.reset();
+  object.is_as_predicted = false;
 }
 
 /// Reads the id image, if there is one, as far as is needed to know how many instances there are.

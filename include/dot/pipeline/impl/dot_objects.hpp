@@ -310,9 +310,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::advance(TrackT& object, Worker& wo
   if (fitted) object.T_o_last = T_c * object.fit.T_o * T_c.inverse();
   if (object.observed) return;  // the mask that the network gave serves
   // What is static was predicted by the same motion.
-  const auto& predicted_by = object.predicted_by;
-  const bool same =
-      predicted_by && predicted_by->R == object.T_cur_outline.R && predicted_by->t == object.T_cur_outline.t;
+  const SE3d& T = object.predicted_by;
+  const bool same = object.is_as_predicted && T.R == object.T_cur_outline.R && T.t == object.T_cur_outline.t;
   if (!same) warp_outline(object, object.T_cur_outline, current_.inverse_depth(), worker);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -93,6 +94,11 @@ inline double odd_number(int choice) {
                                 std::numeric_limits<double>::quiet_NaN()};
   constexpr int count = sizeof numbers / sizeof *numbers;
   return numbers[choice % count];
+}
+
+inline std::int32_t odd_integer(int choice) {
+  const double number = odd_number(choice);
+  return std::isnan(number) ? 0 : static_cast<std::int32_t>(std::clamp(number, -2147483648.0, 2147483647.0));
 }
 
 }  // namespace fuzz

@@ -71,8 +71,7 @@ inline void add_instances(Arena& arena, const Picture& p, int detail, bool ids_t
     instance.x = box[0];
     instance.y = box[1];
     if ((detail & 0x80) != 0) instance.x += (k - 1) * p.width / 2;
-    if (fault.among(6, 6) == 0)
-      instance.x = static_cast<std::int32_t>(std::clamp(odd_number(fault.value), -2147483648.0, 2147483647.0));
+    if (fault.among(6, 6) == 0) instance.x = odd_integer(fault.value);
     const bool own = !ids_too || k == 1;
     if (own && (detail >> k & 1) == 0)
       instance.mask =

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -21,11 +20,6 @@
 namespace fuzz {
 
 constexpr std::size_t kCameraBytes = 5, kOptionBytes = 13;
-
-inline std::int32_t odd_integer(int choice) {
-  const double number = odd_number(choice);
-  return std::isnan(number) ? 0 : static_cast<std::int32_t>(std::clamp(number, -2147483648.0, 2147483647.0));
-}
 
 inline dot_camera read_camera(Input in) {
   constexpr int widths[] = {48, 64, 40, 80, 33, 96, 200, 1}, heights[] = {36, 48, 40, 30, 64, 17, 120, 1};

@@ -42,8 +42,10 @@ struct ErrorText {
 
 thread_local ErrorText create_error;
 
-struct NoResult : std::logic_error {
-  NoResult() : std::logic_error("no result: no frame was tracked yet, or none since a reset or a failure") {}
+struct NoResult : std::exception {
+  const char* what() const noexcept override {
+    return "no result: no frame was tracked yet, or none since a reset or a failure";
+  }
 };
 
 }  // namespace

@@ -118,6 +118,9 @@ void split(const ImageRef& ids, Split& out) {
   out.clear();
   dot::split_ids(runs, [&](std::uint32_t id) -> Mask& { return out.emplace_back(id, Mask{}).second; });
   EXPECT_EQ(runs.instances, out.size());
+  double boxes = 0;
+  for (const auto& [id, mask] : out) boxes += 1.0 * mask.width() * mask.height();
+  EXPECT_EQ(runs.box_area, boxes);
 }
 
 /// An id image of blobs, with rows longer than the image.

@@ -295,4 +295,20 @@ TEST(Accepts, AsksForABetterCorrelationWithoutAVelocity) {
   EXPECT_FALSE(estimator.accepts(a, true));
 }
 
+TEST(CameraMotionEstimator, DoesNotAcceptWhatHasNoCovariance) {
+  CameraMotionEstimator estimator;
+  Alignment a;
+  a.covariance.setIdentity();
+  a.seen = a.inliers = 500;
+  a.phi = 0.99;
+  ASSERT_TRUE(estimator.accepts(a, true));
+  a.covariance(0, 0) = -1e-3;
+  EXPECT_FALSE(estimator.accepts(a, true));
+  a.covariance(0, 0) = 1;
+  a.covariance(0, 1) = a.covariance(1, 0) = 1.5;  // more than any correlation
+  EXPECT_FALSE(estimator.accepts(a, true));
+  a.covariance(0, 1) = a.covariance(1, 0) = std::nan("");
+  EXPECT_FALSE(estimator.accepts(a, true));
+}
+
 }  // namespace

@@ -126,6 +126,22 @@ TEST(Bounds, AnImageOfSomethingElseIsRefused) {
   EXPECT_EQ(result.objects[0].reason, Reason::None);
 }
 
+// Noise of 250 ids: each of them has pixels all over the image.
+TEST(Bounds, IdsThatAreStrewnOverTheImageAreRefused) {
+  Wall wall(1, 1, 40, 50);
+  Dot<> dot(Wall::camera());
+  dot.track(wall.next());
+  Image<std::uint8_t> noise(Wall::kWidth, Wall::kHeight);
+  dot::test::Random random(8);
+  for (int y = 0; y < noise.height(); ++y)
+    for (int x = 0; x < noise.width(); ++x) noise(x, y) = static_cast<std::uint8_t>(random.uniform(0, 251));
+  Frame frame = wall.next();
+  frame.masks->ids = {noise.row(0), Wall::kWidth, Wall::kHeight, Wall::kWidth, PixelFormat::Id8};
+  const std::string message = refusal([&] { dot.track(frame); });
+  EXPECT_EQ(message.rfind("frame.masks.ids: has instances that are strewn over it", 0), 0u) << message;
+  EXPECT_EQ(dot.track(wall.next()).objects[0].reason, Reason::None);
+}
+
 TEST(Bounds, SmallMasksStartNoTrackAndAreCounted) {
   Wall wall(20, 10, 5, 20);  // 25 pixels each
   Dot<> dot(Wall::camera());

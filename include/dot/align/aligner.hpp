@@ -75,6 +75,13 @@ struct Alignment {
   bool converged = false;
 };
 
+/// Whether the covariance of the motion is one: finite and positive definite. Of a few points that say next to nothing
+/// rounding makes others.
+inline bool has_covariance(const Alignment& a) {
+  return a.covariance.allFinite() &&
+         Eigen::LLT<Matrix6<double>>(a.covariance.topLeftCorner<6, 6>()).info() == Eigen::Success;
+}
+
 /// Direct aligner: Gauss-Newton on the Huber cost, coarse to fine, with jointly estimated gain and offset
 /// (paper eq. 1-5). Buffers are kept from call to call.
 template <typename Reduction = DefaultReduction>

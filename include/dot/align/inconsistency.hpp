@@ -92,8 +92,8 @@ class InconsistencyTest {
   /// @param camera of the cells' level.
   void prepare(const Camera& camera) {
     if (x_.width() == camera.width() && x_.height() == camera.height()) return;
+    y_.resize(camera.width(), camera.height());  // x_, which tells that both are ready, comes last
     x_.resize(camera.width(), camera.height());
-    y_.resize(camera.width(), camera.height());
     for (int v = 0; v < camera.height(); ++v)
       for (int u = 0; u < camera.width(); ++u) {
         const Vector3<float> ray =

@@ -22,9 +22,9 @@ class Image {
 
   /// Takes the size; the contents are unspecified afterwards.
   void resize(int width, int height) {
-    width_ = width;
-    height_ = height;
     pixels_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    width_ = width;  // after what may throw: an image is as large as it says
+    height_ = height;
   }
   void fill(T value) { std::fill(pixels_.begin(), pixels_.end(), value); }
 

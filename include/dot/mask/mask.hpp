@@ -142,6 +142,7 @@ struct IdRuns {
   };
   std::vector<Run> runs;
   std::size_t instances = 0;  ///< ids among them
+  double box_area = 0;        ///< pixels, sum over the ids: what their masks take
 };
 
 namespace id_runs {
@@ -190,7 +191,14 @@ inline void find_runs(const ImageRef& ids, IdRuns& out) {
     return std::tie(a.id, a.y, a.begin) < std::tie(b.id, b.y, b.begin);
   });
   out.instances = 0;
-  for (std::size_t i = 0; i < runs.size(); ++i) out.instances += i == 0 || runs[i].id != runs[i - 1].id;
+  out.box_area = 0;
+  for (auto first = runs.begin(), last = first; first != runs.end(); first = last) {
+    int left = first->begin, right = first->end;
+    for (; last != runs.end() && last->id == first->id; ++last)
+      left = std::min(left, last->begin), right = std::max(right, last->end);
+    ++out.instances;
+    out.box_area += 1.0 * (right - left) * ((last - 1)->y - first->y + 1);
+  }
 }
 
 /// The masks of all instances of an id image, ids ascending.

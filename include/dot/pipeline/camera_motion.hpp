@@ -107,7 +107,7 @@ struct CameraMotionEstimator {
 
   /// Whether to believe what `estimate` found.
   bool accepts(const Alignment& a, bool known) const {
-    return a.covariance.allFinite() && a.state.T.t.allFinite() && a.seen >= settings.min_points &&
+    return has_covariance(a) && a.state.T.t.allFinite() && a.seen >= settings.min_points &&
            a.inliers >= settings.min_inliers * a.seen &&
            (known ? a.phi >= settings.min_phi
                   : a.phi >= settings.min_phi_unexpected && a.margin >= settings.min_margin);

@@ -220,6 +220,7 @@ class Dot {
   void take_time(Stage stage);
 
   static constexpr std::ptrdiff_t kNearestMasks = 3;   ///< without a track, tried as starts of an object's motion
+  static constexpr double kMostBoxes = 32;             ///< areas of the image that the boxes of all instances may have
   static constexpr int kReach = 32;                    ///< pixels that even a small object may move unexpectedly
   static constexpr double kMaxLearntScale = 3;         ///< of the shared depth noise, over its prior
   static constexpr double kConfirmedSeconds = 0.05;    ///< of fits that agree, from which on a discovery is shown

@@ -351,7 +351,7 @@ struct ObjectMotionEstimator {
 
   Reason check(const ObjectReference& reference, const Alignment& a, const ObjectFit& out,
                const KnownVelocity& known) const {
-    if (!a.state.T.t.allFinite() || !a.covariance.allFinite()) return Reason::Diverged;
+    if (!a.state.T.t.allFinite() || !has_covariance(a)) return Reason::Diverged;
     if (!out.motion.velocity.allFinite() || !out.motion.covariance.allFinite()) return Reason::Diverged;
     if (a.inside < settings.min_points || a.inside < settings.min_visible * reference.points.size())
       return Reason::LeavesImage;

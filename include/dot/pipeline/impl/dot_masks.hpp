@@ -60,10 +60,12 @@ void Dot<Camera, Classifier, Noise, Aligner>::warp_outline(TrackT& object, const
 }
 
 /// Reads the id image, if there is one, as far as is needed to know how many instances there are.
-/// @throws std::invalid_argument naming the field when there are too many.
+/// @throws std::invalid_argument naming the field when there are too many, or when their boxes overlap so much that to
+/// store and compare them would take without bound.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::count_instances(const char* field, const Masks& masks) {
   id_runs_.instances = 0;
+  id_runs_.box_area = 0;
   id_runs_.runs.clear();
   if (masks.ids.data != nullptr) find_runs(masks.ids, id_runs_);
   const auto most = static_cast<std::size_t>(options_.mask.max_instances);
@@ -74,6 +76,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::count_instances(const char* field,
   };
   if (id_runs_.instances > most) refuse(".ids", id_runs_.instances);
   if (masks.instances.size > most) refuse(".instances", masks.instances.size);
+  const double images = id_runs_.box_area / (1.0 * camera_.width() * camera_.height());
+  if (images > kMostBoxes)
+    bad_field(std::string(field) + ".ids", "has instances that are strewn over it: their boxes have " +
+                                               to_text(images) + " times its area, more than " + to_text(kMostBoxes) +
+                                               ": is it an image of something else?");
 }
 
 /// The instances of a frame's segmentation, whichever way they came, after `count_instances`.

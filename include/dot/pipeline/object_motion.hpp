@@ -351,11 +351,11 @@ struct ObjectMotionEstimator {
 
   Reason check(const ObjectReference& reference, const Alignment& a, const ObjectFit& out,
                const KnownVelocity& known) const {
-    if (!a.state.T.t.allFinite() || !has_covariance(a)) return Reason::Diverged;
-    if (!out.motion.velocity.allFinite() || !out.motion.covariance.allFinite()) return Reason::Diverged;
+    if (!a.state.T.t.allFinite() || !out.motion.velocity.allFinite()) return Reason::Diverged;
     if (a.inside < settings.min_points || a.inside < settings.min_visible * reference.points.size())
       return Reason::LeavesImage;
     if (a.seen < settings.min_inliers || a.seen < 0.3 * a.inside) return Reason::Occluded;
+    if (!has_covariance(a) || !out.motion.covariance.allFinite()) return Reason::Diverged;
     const bool expected = known.seconds > 0 && !known.contradicts(out.motion, settings.max_acceleration);
     if (a.phi < (expected ? settings.min_phi_expected : settings.min_phi)) return Reason::LowCorrelation;
     if (a.inliers < settings.min_inliers || a.inliers < settings.min_inlier_share * a.seen)

@@ -285,6 +285,7 @@ TEST(MovingShadows, AreLeftAlongTheAxis) {
 TEST(Accepts, AsksForABetterCorrelationWithoutAVelocity) {
   const CameraMotionEstimator estimator;
   Alignment a;
+  a.covariance.setIdentity();
   a.seen = 1000, a.inliers = 900;
   a.phi = 0.5 * (estimator.settings.min_phi + estimator.settings.min_phi_unexpected);
   EXPECT_TRUE(estimator.accepts(a, true));

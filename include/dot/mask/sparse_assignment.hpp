@@ -38,7 +38,7 @@ struct SparseAssignWorkspace {
 inline const std::vector<int>& assign(int rows, int columns, double absent, SparseAssignWorkspace& workspace) {
   auto& [pairs, partner, group, own_columns, cost, possible, dense] = workspace;
   partner.assign(static_cast<std::size_t>(rows), -1);
-  group.resize(static_cast<std::size_t>(rows + columns));
+  group.resize(static_cast<std::size_t>(rows) + static_cast<std::size_t>(columns));
   std::iota(group.begin(), group.end(), 0);
   const auto root_of = [&groups = group](int i) {
     const auto at = [&groups](int k) -> int& { return groups[static_cast<std::size_t>(k)]; };

@@ -25,18 +25,17 @@ struct SparseAssignWorkspace {
   std::vector<int> partner;         ///< of each row: the result
   std::vector<int> group, columns;
   std::vector<double> cost;
-  std::vector<char> possible;
   AssignWorkspace dense;
 };
 
 /// Minimal-cost assignment where few of all pairs are possible. Rows and columns that no chain of possible pairs
 /// connects do not influence each other, so each connected group is a small problem of its own: n masks that each
 /// overlap a few others take O(n log n) instead of O(n^3).
-/// @param absent the cost of a pair that is not in workspace.pairs. Finite: leaving a row and a column without partners
-/// costs that much. Infinite: as many pairs as possible are made.
+/// @param absent the cost of a pair that is not in workspace.pairs, more than that of any that is. Finite: leaving a
+/// row and a column without partners costs that much. Infinite: as many pairs as possible are made.
 /// @return the column of each row, or -1; in `workspace`, valid until its next use.
 inline const std::vector<int>& assign(int rows, int columns, double absent, SparseAssignWorkspace& workspace) {
-  auto& [pairs, partner, group, own_columns, cost, possible, dense] = workspace;
+  auto& [pairs, partner, group, own_columns, cost, dense] = workspace;
   partner.assign(static_cast<std::size_t>(rows), -1);
   group.resize(static_cast<std::size_t>(rows) + static_cast<std::size_t>(columns));
   std::iota(group.begin(), group.end(), 0);
@@ -62,21 +61,18 @@ inline const std::vector<int>& assign(int rows, int columns, double absent, Spar
     own_columns.erase(std::unique(own_columns.begin(), own_columns.end()), own_columns.end());
     const std::size_t m = own_columns.size();
     cost.assign(n * m, absent);
-    possible.assign(n * m, 0);
     std::size_t row = 0;
     for (auto p = first; p != last; ++p) {
       row += p != first && p->row != (p - 1)->row;
       const auto column = std::lower_bound(own_columns.begin(), own_columns.end(), p->column) - own_columns.begin();
-      const std::size_t at = row * m + static_cast<std::size_t>(column);
-      cost[at] = p->cost;
-      possible[at] = 1;
+      cost[row * m + static_cast<std::size_t>(column)] = p->cost;
     }
     const std::vector<int>& found = assign(cost, static_cast<int>(n), static_cast<int>(m), dense);
     row = 0;
     for (auto p = first; p != last; ++p) {
       if (p != first && p->row == (p - 1)->row) continue;
       const int column = found[row];
-      if (column >= 0 && possible[row * m + static_cast<std::size_t>(column)])
+      if (column >= 0 && cost[row * m + static_cast<std::size_t>(column)] < absent)
         partner[static_cast<std::size_t>(p->row)] = own_columns[static_cast<std::size_t>(column)];
       ++row;
     }

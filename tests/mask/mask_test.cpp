@@ -117,7 +117,7 @@ void split(const ImageRef& ids, Split& out) {
   dot::find_runs(ids, runs);
   out.clear();
   dot::split_ids(runs, [&](std::uint32_t id) -> Mask& { return out.emplace_back(id, Mask{}).second; });
-  EXPECT_EQ(runs.instances, out.size());
+  EXPECT_EQ(runs.instances.size(), out.size());
   double boxes = 0;
   for (const auto& [id, mask] : out) boxes += 1.0 * mask.width() * mask.height();
   EXPECT_EQ(runs.box_area, boxes);

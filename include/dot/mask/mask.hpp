@@ -140,9 +140,14 @@ struct IdRuns {
     std::uint32_t id;
     int y, begin, end;  ///< pixels [begin, end) of row y
   };
+  /// Runs [first, last) of one id, and the columns [left, right) that they lie in.
+  struct Instance {
+    std::size_t first, last;
+    int left, right;
+  };
   std::vector<Run> runs;
-  std::size_t instances = 0;  ///< ids among them
-  double box_area = 0;        ///< pixels, sum over the ids: what their masks take
+  std::vector<Instance> instances;
+  double box_area = 0;  ///< pixels, sum over the ids: what their masks take
 };
 
 namespace id_runs {
@@ -190,14 +195,14 @@ inline void find_runs(const ImageRef& ids, IdRuns& out) {
   std::sort(runs.begin(), runs.end(), [](const IdRuns::Run& a, const IdRuns::Run& b) {
     return std::tie(a.id, a.y, a.begin) < std::tie(b.id, b.y, b.begin);
   });
-  out.instances = 0;
+  out.instances.clear();
   out.box_area = 0;
-  for (auto first = runs.begin(), last = first; first != runs.end(); first = last) {
-    int left = first->begin, right = first->end;
-    for (; last != runs.end() && last->id == first->id; ++last)
-      left = std::min(left, last->begin), right = std::max(right, last->end);
-    ++out.instances;
-    out.box_area += 1.0 * (right - left) * ((last - 1)->y - first->y + 1);
+  for (std::size_t first = 0, last = 0; first < runs.size(); first = last) {
+    int left = runs[first].begin, right = runs[first].end;
+    for (; last < runs.size() && runs[last].id == runs[first].id; ++last)
+      left = std::min(left, runs[last].begin), right = std::max(right, runs[last].end);
+    out.instances.push_back({first, last, left, right});
+    out.box_area += 1.0 * (right - left) * (runs[last - 1].y - runs[first].y + 1);
   }
 }
 
@@ -205,23 +210,19 @@ inline void find_runs(const ImageRef& ids, IdRuns& out) {
 /// @param add (id) -> Mask&, to be filled in
 template <typename Add>
 void split_ids(const IdRuns& ids, Add&& add) {
-  const auto& runs = ids.runs;
-  for (auto first = runs.begin(), last = first; first != runs.end(); first = last) {
-    int left = first->begin, right = first->end, area = 0;
-    for (last = first; last != runs.end() && last->id == first->id; ++last) {
-      left = std::min(left, last->begin);
-      right = std::max(right, last->end);
-      area += last->end - last->begin;
-    }
-    Mask& mask = add(first->id);
+  for (const auto& [first, last, left, right] : ids.instances) {
+    const int top = ids.runs[first].y;
+    Mask& mask = add(ids.runs[first].id);
     mask.x = left;
-    mask.y = first->y;
-    mask.area = area;
-    mask.pixels.resize(right - left, (last - 1)->y - first->y + 1);
+    mask.y = top;
+    mask.area = 0;
+    mask.pixels.resize(right - left, ids.runs[last - 1].y - top + 1);
     mask.pixels.fill(0);
-    for (auto run = first; run != last; ++run) {
-      std::uint8_t* row = mask.pixels.row(run->y - mask.y);
-      std::fill(row + (run->begin - left), row + (run->end - left), std::uint8_t{255});
+    for (std::size_t i = first; i < last; ++i) {
+      const IdRuns::Run& run = ids.runs[i];
+      std::uint8_t* row = mask.pixels.row(run.y - top);
+      std::fill(row + (run.begin - left), row + (run.end - left), std::uint8_t{255});
+      mask.area += run.end - run.begin;
     }
   }
 }

@@ -64,7 +64,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::warp_outline(TrackT& object, const
 /// store and compare them would take without bound.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::count_instances(const char* field, const Masks& masks) {
-  id_runs_.instances = 0;
+  id_runs_.instances.clear();
   id_runs_.box_area = 0;
   id_runs_.runs.clear();
   if (masks.ids.data != nullptr) find_runs(masks.ids, id_runs_);
@@ -74,7 +74,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::count_instances(const char* field,
                                                " instances, more than mask.max_instances, " + std::to_string(most) +
                                                ": is it an image of something else?");
   };
-  if (id_runs_.instances > most) refuse(".ids", id_runs_.instances);
+  if (id_runs_.instances.size() > most) refuse(".ids", id_runs_.instances.size());
   if (masks.instances.size > most) refuse(".instances", masks.instances.size);
   const double images = id_runs_.box_area / (1.0 * camera_.width() * camera_.height());
   if (images > kMostBoxes)

@@ -97,11 +97,14 @@ int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
 
 #else
 
-// The other forms of new call these two.
+// The other forms of new call these, but not a sanitizer's own.
 void* operator new(std::size_t size) {
   if (granted())
     if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
   throw std::bad_alloc();
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return granted() ? std::malloc(size > 0 ? size : 1) : nullptr;
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 
+#include "dot/abi.hpp"
 #include "dot/image/image.hpp"
 
-namespace dot {
+DOT_BEGIN_NAMESPACE
 
 /// The extreme of each square window of 2 kReach + 1 pixels, of its part inside the image: `pick` is std::max, a
 /// dilation, or std::min, an erosion. First along the rows, then across them; loops over a row become SIMD code.
@@ -56,4 +57,4 @@ void erode(ImageView<const T> in, Image<T>& rows, ImageView<T> out) {
       in, [](T a, T b) { return a < b ? a : b; }, rows, out);
 }
 
-}  // namespace dot
+DOT_END_NAMESPACE

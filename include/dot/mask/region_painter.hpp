@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "dot/abi.hpp"
 #include "dot/image/image.hpp"
-#include "dot/image/opencv.hpp"
+#include "dot/image/morphology.hpp"
 #include "dot/mask/mask.hpp"
-
-#include <opencv2/imgproc.hpp>
 
 DOT_BEGIN_NAMESPACE
 
@@ -46,11 +45,12 @@ class RegionPainter {
           far_(u, v) = std::min(far_(u, v), value - slack);
         }
     }
-    cv::Mat closed = mat(inside_.view());
-    cv::morphologyEx(closed, closed, cv::MORPH_CLOSE, cv::Mat::ones(5, 5, CV_8U));
+    const ImageView<const std::uint8_t> inside = std::as_const(inside_).view();
+    dilate<2>(inside, rows_, inside_.view());
+    erode<2>(inside, rows_, inside_.view());
     fill_holes();
     inner_.resize(w, h);
-    cv::erode(closed, mat(inner_.view()), cv::Mat::ones(3, 3, CV_8U));
+    erode<1>(inside, rows_, inner_.view());
     const std::array<int, 4> box =
         clip_box({x0 * cell, y0 * cell, w * cell, h * cell}, pixels.width(), pixels.height());
     fill_mask(
@@ -68,12 +68,24 @@ class RegionPainter {
   /// What the region encloses, such as a window that shows what is behind, belongs to it.
   void fill_holes() {
     constexpr std::uint8_t outside = 1;
-    cv::floodFill(mat(inside_.view()), cv::Point(0, 0), cv::Scalar(outside));
+    const auto reach = [this](int x, int y) {
+      if (!inside_.contains(x, y) || inside_(x, y) != 0) return;
+      inside_(x, y) = outside;
+      front_.push_back({x, y});
+    };
+    front_.clear();
+    reach(0, 0);  // in the margin
+    while (!front_.empty()) {
+      const auto [x, y] = front_.back();
+      front_.pop_back();
+      reach(x - 1, y), reach(x + 1, y), reach(x, y - 1), reach(x, y + 1);
+    }
     for (int y = 0; y < inside_.height(); ++y)
       for (int x = 0; x < inside_.width(); ++x) inside_(x, y) = inside_(x, y) == outside ? 0 : 255;
   }
 
-  Image<std::uint8_t> inside_, inner_;
+  std::vector<std::array<int, 2>> front_;  ///< of the pixels outside
+  Image<std::uint8_t> inside_, inner_, rows_;
   Image<float> near_, far_;  ///< bounds of the inverse depth about each cell
 };
 

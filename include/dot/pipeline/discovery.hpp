@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "dot/align/inconsistency.hpp"
 #include "dot/image/depth_pyramid.hpp"
+#include "dot/image/morphology.hpp"
 #include "dot/image/pyramid.hpp"
 #include "dot/mask/region_grower.hpp"
 #include "dot/mask/region_painter.hpp"
@@ -147,8 +149,7 @@ class Discovery {
         covered_(x, y) = any ? 255 : 0;
         followed_(x, y) = same ? first : kNothing;
       }
-    cv::Mat m = mat(covered_.view());
-    cv::dilate(m, m, cv::Mat::ones(3, 3, CV_8U));
+    dilate<1>(std::as_const(covered_).view(), rows_, covered_.view());
     for (int y = 0; y < covered_.height(); ++y)
       for (int x = 0; x < covered_.width(); ++x) {
         if (followed_(x, y) == kStanding) covered_(x, y) = 255;
@@ -169,8 +170,7 @@ class Discovery {
     seen_.fill(0);
     for (const std::vector<int>& region : grower_.regions)
       for (const int i : region) seen_.row(0)[i] = 255;
-    cv::Mat m = mat(seen_.view());
-    cv::dilate(m, m, cv::Mat::ones(5, 5, CV_8U));
+    dilate<2>(std::as_const(seen_).view(), rows_, seen_.view());
   }
 
   int level_ = 0;
@@ -181,6 +181,7 @@ class Discovery {
   SupportingPlanes planes_;
   RegionGrower grower_;
   RegionPainter painter_;
+  Image<std::uint8_t> rows_;                       ///< scratch
   Image<std::uint8_t> covered_, followed_, seen_;  ///< cells; `seen_`: regions of the last frame, with a margin
 };
 

@@ -22,7 +22,7 @@ usage: ./dev.sh VERB
   lint       formatting, clang-tidy, versions; changes nothing
   versions   check that version.hpp, dot.h, vcpkg.json and CHANGELOG.md name the same version
   sanitize   run the tests with the address and undefined-behaviour sanitizers, those of threads with the thread
-             sanitizer; "sanitize quick" all but those of the pipeline as a whole and of threads
+             sanitizer
   fuzz       hand generated inputs to the C library and to the readers, 60 seconds each or "fuzz SECONDS";
              "fuzz coverage" tells which lines the inputs in tests/fuzz/corpus reach
   abi        compare the C library's binary interface with capi/abi; "abi accept" writes the present one there
@@ -165,16 +165,7 @@ sanitize_with() {
   cmake --build --preset "$1" --parallel "$jobs" --target "${@:2}"
 }
 
-# sanitize [quick]: quick leaves out the tests of the pipeline as a whole and of threads, whose build takes longest.
 sanitize() {
-  if [ "${1:-}" = quick ]; then
-    sanitize_with asan-ubsan test_{lie,camera,kernel,image,points,align,motion,mask,capi_test,structs_test,host_test} \
-      test_fuzz_{capi,readers}
-    say "testing with the address and undefined-behaviour sanitizers"
-    ctest --preset asan-ubsan -j2 \
-      -R '^((lie|camera|kernel|image|points|align|motion|mask|fuzz)\.|capi\.(capi|structs|host)_test)'
-    return
-  fi
   sanitize_with asan-ubsan all
   say "testing with the address and undefined-behaviour sanitizers"
   ctest --preset asan-ubsan -j2

@@ -51,7 +51,7 @@ class WholeAlignment {
   Alignment align(const SE3d& start = {}) {
     const AlignProblem<Pinhole> problem{reference_, pyramid_, camera_};
     Alignment a = aligner.align(problem, {start}, std::min(reference_.levels, pyramid_.size()) - 1);
-    if (finish) aligner.finish(problem, a);
+    if (finish) aligner.reject_outliers_and_refit(problem, a);
     return a;
   }
 

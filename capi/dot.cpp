@@ -17,12 +17,14 @@
 #include "dot/pipeline/exclusion.hpp"
 #include "dot/tracker.hpp"
 #include "dot/version.hpp"
-#include "marshal.hpp"
+#include "marshal/frame.hpp"
+#include "marshal/options.hpp"
+#include "marshal/result.hpp"
 
 static_assert(DOT_HEADER_VERSION == DOT_VERSION_MAJOR * 1000000 + DOT_VERSION_MINOR * 1000 + DOT_VERSION_PATCH,
               "dot/dot.h and dot/version.hpp must state the same version");
 
-using namespace dot_c;  // NOLINT(google-build-using-namespace): marshal.hpp is this file's other half
+using namespace dot_c;  // NOLINT(google-build-using-namespace): marshal/ is this file's other half
 
 namespace {
 

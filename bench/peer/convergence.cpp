@@ -162,8 +162,8 @@ void list(const std::string& name, int first, int gap, const dot::SE3d& truth, c
   const PoseError between = pose_error(T, peer_T);
   std::printf("%s,%d,%d,%.4f,%.3f,%s,%.4f,%.4f,%.4f,%d,%d,%.3f,%.2f,%.3f,%d,%.4f,%.4f,%.4f,%.4f\n", name.c_str(), first,
               gap, truth.t.norm(), dot::so3::log(truth.R).norm() * 57.29578, dot::to_string(c.status), e.metres,
-              e.degrees, c.phi, c.n_points, c.n_inliers, c.normalised_variance, c.residual_sigma, c.gain, peer_ok,
-              p.metres, p.degrees, between.metres, between.degrees);
+              e.degrees, c.phi, c.n_points, c.n_inliers, c.reduced_chi2, c.residual_sigma, c.gain, peer_ok, p.metres,
+              p.degrees, between.metres, between.degrees);
 }
 
 void run(const std::vector<std::string>& folders, Peer::Limits limits, const Change& change, int witnessed,
@@ -171,7 +171,7 @@ void run(const std::vector<std::string>& folders, Peer::Limits limits, const Cha
   Count ours[5], theirs[5];  // [0] of all
   if (listing)
     std::puts(
-        "sequence,first,gap,way_m,turn_deg,status,error_m,error_deg,phi,n_points,n_inliers,normalised_variance,"
+        "sequence,first,gap,way_m,turn_deg,status,error_m,error_deg,phi,n_points,n_inliers,reduced_chi2,"
         "residual_sigma,gain,peer_ok,peer_error_m,peer_error_deg,between_m,between_deg");
   else
     std::printf("kernels: %s\n\n%30s %24s %24s\n%-16s %4s %6s   %8s %4s %9s   %8s %4s %9s\n", dot::find_kernels()->name,

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "dot/pipeline/validate.hpp"
+#include "dot/pipeline/validate_options.hpp"
 #include "sequence/depth_source.hpp"
 #include "sequence/errors.hpp"
 #include "sequence/fields.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "config.hpp"
-#include "dot/pipeline/validate.hpp"
+#include "dot/pipeline/validate_options.hpp"
 #include "sequence/errors.hpp"
 #include "sequence/text.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dot/pipeline/frame.hpp"
+#include "dot/frame/frame.hpp"
 
 namespace runner {
 

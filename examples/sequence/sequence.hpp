@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "dot/pipeline/frame.hpp"
+#include "dot/frame/frame.hpp"
 #include "recording.hpp"
 #include "stereo.hpp"
 

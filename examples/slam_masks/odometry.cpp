@@ -59,8 +59,8 @@ void Odometry::set_keyframe(const Features& frame) {
   descriptors_ = cv::Mat(0, frame.descriptors.cols, CV_8UC1);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     if (random_.uniform(0.0, 1.0) > drawn_share || frame.depths[i] <= 0) continue;
-    points_.push_back(
-        {back_project(camera_, frame.pixels[i], frame.depths[i]), noise_.pixel(1 / frame.depths[i]), frame.sigmas[i]});
+    points_.push_back({back_project(camera_, frame.pixels[i], frame.depths[i]), noise_.pixel_sigma(1 / frame.depths[i]),
+                       frame.sigmas[i]});
     descriptors_.push_back(frame.descriptors.row(static_cast<int>(i)));
   }
 }
@@ -148,7 +148,7 @@ int Odometry::refine(const std::vector<Match>& matches, dot::SE3d& T_frame_key) 
       covariance(0, 0) += m.sigma * m.sigma;
       covariance(1, 1) += m.sigma * m.sigma;
       // Without a measurement the third row says nothing: a variance without bound.
-      const double sigma_q = m.q > 0 ? noise_.pixel(q) : 1e6;
+      const double sigma_q = m.q > 0 ? noise_.pixel_sigma(q) : 1e6;
       covariance(2, 2) += sigma_q * sigma_q;
       const dot::Matrix3<double> information = covariance.inverse();
       const double chi2 = residual.dot(information * residual);

@@ -13,7 +13,9 @@
 /// symbols: they work side by side, or fail to link, and never corrupt memory.
 ///
 /// A build that must never share code with its host (our compiled tier) may set DOT_ABI_TAG to a name of its own.
-#ifndef DOT_ABI_TAG
+#ifdef DOT_ABI_TAG
+#define DOT_HAS_OWN_ABI_TAG
+#else
 #if EIGEN_MAX_ALIGN_BYTES >= 64
 #define DOT_ABI_TAG eigen64
 #elif EIGEN_MAX_ALIGN_BYTES >= 32
@@ -31,3 +33,21 @@
 #define DOT_END_NAMESPACE \
   }                       \
   }
+
+/// @def DOT_USES_COMPILED_PIPELINE
+/// The static library has the default pipeline, `Dot<>`, compiled: its stages, and what is no template. A unit that
+/// links it takes them from there instead of compiling them again, provided that it sees the Eigen that the library
+/// saw: its version, its alignment, its namespace. All others compile what they use.
+#if defined(DOT_COMPILED_PIPELINE) && !defined(DOT_HAS_OWN_ABI_TAG) && EIGEN_MAX_ALIGN_BYTES == 16
+#if DOT_COMPILED_PIPELINE == EIGEN_WORLD_VERSION * 10000 + EIGEN_MAJOR_VERSION * 100 + EIGEN_MINOR_VERSION
+#define DOT_USES_COMPILED_PIPELINE
+#endif
+#endif
+
+/// @def DOT_INLINE
+/// Of functions that are no templates and are compiled either into the library or into each unit.
+#if defined(DOT_BUILDS_PIPELINE) || defined(DOT_USES_COMPILED_PIPELINE)
+#define DOT_INLINE
+#else
+#define DOT_INLINE inline
+#endif

@@ -10,6 +10,7 @@
 #include "dot/camera/radtan.hpp"
 #include "dot/image/opencv.hpp"
 #include "dot/motion/classifier.hpp"
+#include "dot/pipeline/compiled.hpp"
 #include "dot/pipeline/dot.hpp"
 #include "dot/pipeline/exclusion.hpp"
 #include "dot/version.hpp"

@@ -7,10 +7,10 @@
 
 #include "dot/camera/intrinsics.hpp"
 #include "dot/export.hpp"
-#include "dot/pipeline/frame.hpp"
+#include "dot/frame/frame.hpp"
 #include "dot/pipeline/options.hpp"
 #include "dot/pipeline/result.hpp"
-#include "dot/pipeline/thread_pool.hpp"
+#include "dot/threads/thread_pool.hpp"
 
 namespace dot {
 

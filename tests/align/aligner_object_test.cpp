@@ -83,7 +83,7 @@ struct Pair {
   static Alignment align(const AlignProblem<Pinhole>& problem) {
     DirectAligner<> aligner;
     Alignment a = aligner.align(problem, {T_c}, kLevels - 1);
-    aligner.finish(problem, a);
+    aligner.reject_outliers_and_refit(problem, a);
     return a;
   }
   double pixels_off(const Alignment& a) const {
@@ -213,7 +213,7 @@ TEST(AlignObject, FinishDoesNotDependOnTheCallBefore) {
     Alignment a;
     a.state.T = T_c * T_o;
     a.sigma_intensity = 2;
-    aligner.finish(problem, a);
+    aligner.reject_outliers_and_refit(problem, a);
     return a;
   };
   DirectAligner<> fresh, used;

@@ -57,7 +57,7 @@ struct Pair {
   Alignment align(const SE3d& start) const {
     DirectAligner<> aligner;
     Alignment a = aligner.align(problem(), {start}, kLevels - 1);
-    aligner.finish(problem(), a);
+    aligner.reject_outliers_and_refit(problem(), a);
     return a;
   }
   /// RMS distance in the image between where a pose puts the points and where they are.
@@ -109,7 +109,7 @@ TEST(AlignCamera, FindsItByTheGradientsOfEitherImage) {
     DirectAligner<> aligner;
     aligner.settings.gradient = gradient;
     Alignment a = aligner.align(pair.problem(), {SE3d{}}, kLevels - 1);
-    aligner.finish(pair.problem(), a);
+    aligner.reject_outliers_and_refit(pair.problem(), a);
     expect_exact(pair, a);
   }
 }
@@ -175,7 +175,7 @@ TEST(AlignCamera, NoiseIsMeasuredAndStatedHonestly) {
     const Alignment a = noisy.align(T);
     const Vector6<double> e = error(noisy, a);
     chi2 += e.dot(a.covariance.topLeftCorner<6, 6>().ldlt().solve(e)) / 6 / seeds;
-    variance += a.normalised_variance / seeds;
+    variance += a.reduced_chi2 / seeds;
     EXPECT_LT(noisy.pixels_off(a), 0.3);
     EXPECT_GT(a.phi, 0.97);
   }
@@ -227,7 +227,7 @@ TEST(AlignCamera, TheScaleDoesNotRememberOutliers) {
       pair.points.intensity[static_cast<std::size_t>(l)][i] = static_cast<float>(random.uniform(20, 235));
   DirectAligner<> used, fresh;
   Alignment a = used.align(pair.problem(), {SE3d{}}, kLevels - 1);
-  used.finish(pair.problem(), a);
+  used.reject_outliers_and_refit(pair.problem(), a);
   ASSERT_LT(a.inliers, a.seen);
   EXPECT_EQ(used.intensity_sigma(pair.problem(), a.state, 0), fresh.intensity_sigma(pair.problem(), a.state, 0));
 }
@@ -274,7 +274,7 @@ TEST(AlignCamera, TukeyRanksTheMajorityFirstWhereHuberIsCaptured) {
     const dot::ResidualNoise noise{static_cast<float>(sigma), 0.06f, 1.345f};
     return aligner.reduction.linearize(c.points, 0, camera, c.image.levels[0], {T, 1, 0}, noise, {}, nullptr).cost;
   };
-  const auto tukey = [&](const SE3d& T) { return aligner.rank(c.problem(), {T, 1, 0}, 0, sigma); };
+  const auto tukey = [&](const SE3d& T) { return aligner.tukey_cost(c.problem(), {T, 1, 0}, 0, sigma); };
   EXPECT_GT(huber(SE3d{}), huber(c.turn));
   EXPECT_LT(tukey(SE3d{}), 0.8 * tukey(c.turn));
 }
@@ -295,7 +295,7 @@ TEST(AlignCamera, NearFindsWhatIsNear) {
   const Pair pair(motion(0.05, -0.03, -0.1, 0.01, -0.02, 0.03));
   DirectAligner<> aligner;
   Alignment a = aligner.align_near(pair.problem(), {motion(0.01, 0, 0, 0, 0.004, 0) * pair.T_cur_ref}, 0);
-  aligner.finish(pair.problem(), a);
+  aligner.reject_outliers_and_refit(pair.problem(), a);
   expect_exact(pair, a);
 }
 
@@ -311,8 +311,8 @@ TEST(AlignCamera, SeenAreThePointsOfTheFinestLevel) {
 TEST(AlignCamera, RankOfWhatNobodySeesIsInfinite) {
   const Pair pair{SE3d{}};
   DirectAligner<> aligner;
-  EXPECT_TRUE(std::isinf(aligner.rank(pair.problem(), {motion(0, 0, -50, 0, 0, 0)}, 0, 5)));
-  EXPECT_TRUE(std::isfinite(aligner.rank(pair.problem(), {SE3d{}}, 0, 5)));
+  EXPECT_TRUE(std::isinf(aligner.tukey_cost(pair.problem(), {motion(0, 0, -50, 0, 0, 0)}, 0, 5)));
+  EXPECT_TRUE(std::isfinite(aligner.tukey_cost(pair.problem(), {SE3d{}}, 0, 5)));
   const Alignment a = aligner.align(pair.problem(), {motion(0, 0, -50, 0, 0, 0)}, kLevels - 1);
   EXPECT_TRUE(a.state.T.t.allFinite());
 }
@@ -322,9 +322,9 @@ TEST(AlignCamera, RankCountsWhatLeavesWhereAsked) {
   const Pair pair(T);
   DirectAligner<> aligner;
   AlignProblem<Pinhole> problem = pair.problem();
-  const double free = aligner.rank(problem, {T}, 0, 5);
+  const double free = aligner.tukey_cost(problem, {T}, 0, 5);
   problem.hidden_cost = 3;
-  const double costly = aligner.rank(problem, {T}, 0, 5);
+  const double costly = aligner.tukey_cost(problem, {T}, 0, 5);
   EXPECT_GT(costly, free + 0.5);
   EXPECT_LT(costly, 3);
 }

@@ -177,7 +177,7 @@ TEST(DepthGradient, LeftOutOfTheDerivativeItCostsNothingOnSlantedPlanes) {
         part.add(board.error(align_numerically(board, problem, false)));
         DirectAligner<> aligner;
         Alignment a = aligner.align(problem, {T_c * board.T_o}, 0);
-        aligner.finish(problem, a);
+        aligner.reject_outliers_and_refit(problem, a);
         const Vector6<double> e = board.error(a.state.T);
         chi2 += e.dot(a.covariance.topLeftCorner<6, 6>().ldlt().solve(e)) / 6 / seeds;
       }

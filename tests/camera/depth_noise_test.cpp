@@ -31,9 +31,9 @@ TEST(DepthNoise, OfStereoIsConstantInDisparity) {
   const DepthNoise noise(s, stereo_camera);
   EXPECT_DOUBLE_EQ(noise.focal_baseline, 355);  // of the mean focal length
   for (const double z : {1.0, 10.0, 90.0}) {
-    EXPECT_DOUBLE_EQ(noise.pixel(1 / z), 0.4 / 355);
-    EXPECT_DOUBLE_EQ(noise.common(1 / z), 0.1 / 355);
-    EXPECT_DOUBLE_EQ(noise.change(1 / z), 0.1 / 355);
+    EXPECT_DOUBLE_EQ(noise.pixel_sigma(1 / z), 0.4 / 355);
+    EXPECT_DOUBLE_EQ(noise.shared_sigma(1 / z), 0.1 / 355);
+    EXPECT_DOUBLE_EQ(noise.shared_drift_sigma(1 / z), 0.1 / 355);
   }
 }
 
@@ -42,16 +42,16 @@ TEST(DepthNoise, OfStereoWithoutBaselineIsUnknown) {
   camera.baseline = 0;
   const DepthNoise noise(settings_of(DepthSource::Stereo), camera);
   EXPECT_EQ(noise.settings.source, DepthSource::Unknown);
-  EXPECT_TRUE(std::isfinite(noise.pixel(0.1)));
-  EXPECT_DOUBLE_EQ(noise.pixel(0.1), DepthNoise(settings_of(DepthSource::Unknown), stereo_camera).pixel(0.1));
+  EXPECT_TRUE(std::isfinite(noise.pixel_sigma(0.1)));
+  EXPECT_DOUBLE_EQ(noise.pixel_sigma(0.1), DepthNoise(settings_of(DepthSource::Unknown), stereo_camera).pixel_sigma(0.1));
 }
 
 TEST(DepthNoise, OfRgbdGrowsWithTheSquareOfTheDepth) {
   DepthNoiseSettings s = settings_of(DepthSource::Rgbd);
   s.rgbd_sigma = 0.003;
   const DepthNoise noise(s, stereo_camera);
-  EXPECT_NEAR(metres(noise.pixel(1), 1), 0.003, 0.0015);
-  const double ratio = metres(noise.pixel(1 / 8.0), 8) / metres(noise.pixel(1 / 4.0), 4);
+  EXPECT_NEAR(metres(noise.pixel_sigma(1), 1), 0.003, 0.0015);
+  const double ratio = metres(noise.pixel_sigma(1 / 8.0), 8) / metres(noise.pixel_sigma(1 / 4.0), 4);
   EXPECT_GT(ratio, 3);  // four without the constant share, which is quadratic in neither
   EXPECT_LE(ratio, 4);
 }
@@ -60,10 +60,10 @@ TEST(DepthNoise, OfLidarIsAboutConstantInMetres) {
   DepthNoiseSettings s = settings_of(DepthSource::Lidar);
   s.lidar_sigma = 0.05;
   const DepthNoise noise(s, stereo_camera);
-  EXPECT_GE(metres(noise.pixel(1), 1), 0.05);
-  EXPECT_LE(metres(noise.pixel(1), 1), 0.10);
+  EXPECT_GE(metres(noise.pixel_sigma(1), 1), 0.05);
+  EXPECT_LE(metres(noise.pixel_sigma(1), 1), 0.10);
   // A far beam covers more: the metres grow, but far less than stereo's, which would by 400.
-  const double ratio = metres(noise.pixel(1 / 40.0), 40) / metres(noise.pixel(1 / 2.0), 2);
+  const double ratio = metres(noise.pixel_sigma(1 / 40.0), 40) / metres(noise.pixel_sigma(1 / 2.0), 2);
   EXPECT_GE(ratio, 1);
   EXPECT_LT(ratio, 20);
 }
@@ -72,23 +72,23 @@ TEST(DepthNoise, OfUnknownSourceIsRelative) {
   DepthNoiseSettings s = settings_of(DepthSource::Unknown);
   s.unknown_relative = 0.02;
   const DepthNoise noise(s, stereo_camera);
-  EXPECT_DOUBLE_EQ(noise.pixel(0.5), 0.01);
-  EXPECT_DOUBLE_EQ(noise.pixel(0.05), 0.001);
+  EXPECT_DOUBLE_EQ(noise.pixel_sigma(0.5), 0.01);
+  EXPECT_DOUBLE_EQ(noise.pixel_sigma(0.05), 0.001);
 }
 
 TEST(DepthNoise, ScalesMultiplyThePriors) {
   for (const DepthSource source : {DepthSource::Stereo, DepthSource::Rgbd, DepthSource::Lidar, DepthSource::Unknown}) {
     DepthNoise noise(settings_of(source), stereo_camera);
     for (const double q : {0.02, 0.3, 1.5}) {
-      const double pixel = noise.prior_pixel(q), common = noise.prior_common(q);
+      const double pixel = noise.prior_pixel_sigma(q), common = noise.prior_shared_sigma(q);
       EXPECT_GT(pixel, 0);
       EXPECT_GT(common, 0);
       EXPECT_LE(common, pixel);  // what an object shares is the smaller part
-      noise.pixel_scale = 2, noise.common_scale = 3, noise.change_scale = 5;
-      EXPECT_DOUBLE_EQ(noise.pixel(q), 2 * pixel);
-      EXPECT_DOUBLE_EQ(noise.common(q), 3 * common);
-      EXPECT_DOUBLE_EQ(noise.change(q), 5 * common);
-      noise.pixel_scale = noise.common_scale = noise.change_scale = 1;
+      noise.pixel_scale = 2, noise.shared_scale = 3, noise.shared_drift_scale = 5;
+      EXPECT_DOUBLE_EQ(noise.pixel_sigma(q), 2 * pixel);
+      EXPECT_DOUBLE_EQ(noise.shared_sigma(q), 3 * common);
+      EXPECT_DOUBLE_EQ(noise.shared_drift_sigma(q), 5 * common);
+      noise.pixel_scale = noise.shared_scale = noise.shared_drift_scale = 1;
     }
   }
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "dot/motion/belief.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,8 +30,8 @@ MotionEstimate fit(const Vector3<double>& velocity, double sigma, double interva
   MotionEstimate e;
   e.velocity = velocity;
   e.covariance = sigma * sigma * I;
-  e.interval = interval;
-  e.intervals = intervals;
+  e.span_seconds = interval;
+  e.span_frames = intervals;
   e.range = 15;
   return e;
 }

@@ -54,7 +54,7 @@ class Watch {
     MotionEstimate e;
     e.velocity = velocity;
     e.covariance = Vector3<double>(sigma.across, sigma.across, sigma.along).array().square().matrix().asDiagonal();
-    e.interval = dt();
+    e.span_seconds = dt();
     e.range = range_;
     return e;
   }
@@ -238,7 +238,7 @@ TEST(VelocityClassifier, TellsTheVelocityInTheNewestAxes) {
   MotionEstimate e;
   e.velocity = {0, 0, 8};
   e.covariance = 0.01 * Matrix3<double>::Identity();
-  e.interval = 0.1;
+  e.span_seconds = 0.1;
   e.range = 20;
   const Decision d = classifier(memory, &e, R, 0.1);
   EXPECT_LT((d.velocity - R * e.velocity).norm(), 0.1);

@@ -27,7 +27,7 @@ MotionEstimate fit(double disparity, double disparity_noise, double entropy) {
   MotionEstimate e;
   e.velocity = {1, 0, 2};
   e.covariance = Vector3<double>(0.01, 0.02, 0.3).asDiagonal();
-  e.interval = 0.1;
+  e.span_seconds = 0.1;
   e.range = 20;
   e.disparity_px = disparity;
   e.disparity_noise_px = disparity_noise;

@@ -18,7 +18,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "dot/pipeline/validate.hpp"
+#include "dot/frame/validate.hpp"
 #include "dot/tracker.hpp"
 #include "support/film.hpp"
 

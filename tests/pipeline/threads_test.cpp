@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
-#include "dot/pipeline/threads.hpp"
+#include "dot/threads/threads.hpp"
 
 #include <atomic>
 #include <set>

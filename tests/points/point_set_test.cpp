@@ -52,13 +52,13 @@ TEST(PointSet, TakesWhatBecomesKnownOfABias) {
   points.push(150, 50, 0, 0, 0.02f, 0);
   dot::DepthBias first, second;
   first.coefficients[1] = 0.1;  // -0.1 at the left border, 0 in the middle, 0.05 between that and the right one
-  EXPECT_TRUE(points.take(first, 200, 100));
+  EXPECT_TRUE(points.subtract_bias(first, 200, 100));
   EXPECT_NEAR(points.q[0], 0.6, 1e-6);
   EXPECT_NEAR(points.q[1], 0.5, 1e-6);
   EXPECT_GT(points.q[2], 0);  // as far as can be, but seen
-  EXPECT_FALSE(points.take(first, 200, 100));
+  EXPECT_FALSE(points.subtract_bias(first, 200, 100));
   second.coefficients[1] = 0.1, second.coefficients[5] = 0.2;
-  EXPECT_TRUE(points.take(second, 200, 100));
+  EXPECT_TRUE(points.subtract_bias(second, 200, 100));
   EXPECT_NEAR(points.q[0], 0.8, 1e-6);
   EXPECT_NEAR(points.q[1], 0.5, 1e-6);
   EXPECT_EQ(points.bias.coefficients, second.coefficients);

@@ -159,7 +159,7 @@ TEST(Selector, PointsLieOnTheirRaysAtTheTrueDepth) {
 TEST(Selector, DepthIsBetterThanThePixels) {
   Degradation degradation;
   const dot::DepthNoise noise = stereo_noise();
-  degradation.depth_noise = noise.pixel(0.2);
+  degradation.depth_noise = noise.pixel_sigma(0.2);
   degradation.seed = 5;
   const Fixture clean, noisy(degradation);
   const PointSet points = noisy.select(whole, 1500);

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "dot/camera/intrinsics.hpp"
+#include "dot/labels/segmented_frame.hpp"
 #include "dot/lie/se3.hpp"
-#include "dot/mask/grow.hpp"
+#include "dot/mask/warp.hpp"
 
 /// Boxes before a wall, seen by one camera: what a segmented frame and a later one look like.
 namespace box_scene {
@@ -24,9 +26,16 @@ struct Box {
   std::uint32_t id;
 };
 
+/// A frame, and the objects that it shows.
+struct Rendered {
+  dot::Image<float> inverse_depth;
+  dot::Image<std::uint32_t> ids;
+  operator dot::SegmentedFrame() const { return {inverse_depth, ids}; }
+};
+
 /// Boxes before a wall, later ones over earlier ones.
-inline dot::SegmentedFrame render(const std::vector<Box>& boxes) {
-  dot::SegmentedFrame out;
+inline Rendered render(const std::vector<Box>& boxes) {
+  Rendered out;
   out.inverse_depth.resize(kWidth, kHeight);
   out.inverse_depth.fill(kFar);
   out.ids.resize(kWidth, kHeight);
@@ -38,6 +47,16 @@ inline dot::SegmentedFrame render(const std::vector<Box>& boxes) {
         out.inverse_depth(x, y) = box.q;
         out.ids(x, y) = box.id;
       }
+  return out;
+}
+
+/// An outline of the object's depth that fills x, y, width, height.
+inline dot::WarpedMask outline(const std::array<int, 4>& box) {
+  dot::WarpedMask out;
+  dot::fill_mask(
+      box, [](int, int) { return true; }, out.mask);
+  out.inverse_depth.resize(box[2], box[3]);
+  out.inverse_depth.fill(kObject);
   return out;
 }
 

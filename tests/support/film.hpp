@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "dot/pipeline/frame.hpp"
+#include "dot/frame/frame.hpp"
 #include "dot/pipeline/result.hpp"
 #include "support/synthetic_scene.hpp"
 

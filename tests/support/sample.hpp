@@ -16,9 +16,9 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "dot/camera/intrinsics.hpp"
+#include "dot/frame/frame.hpp"
 #include "dot/image/opencv.hpp"
 #include "dot/lie/se3.hpp"
-#include "dot/pipeline/frame.hpp"
 #include "dot/pipeline/options.hpp"
 
 namespace dot::test {

@@ -6,81 +6,17 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include <Eigen/Cholesky>
-
+#include "dot/align/alignment.hpp"
 #include "dot/align/kernel_reduction.hpp"
 #include "dot/align/pearson.hpp"
+#include "dot/align/problem.hpp"
 #include "dot/align/robust.hpp"
 #include "dot/align/settings.hpp"
-#include "dot/image/depth_pyramid.hpp"
 
 DOT_BEGIN_NAMESPACE
-
-/// What to align: points of a reference to an image, T_i_j = T_outer T_o.
-///
-/// The unknown x moves T_o by a left twist about the region's centroid c, T_o <- Tr(c') exp(x) Tr(-c') T_o with
-/// c' = T_o c (an object: its rotation error does not leak into metres of translation), or about the camera's origin
-/// when `centred` is false (the camera itself: T_outer = 1, T_c <- exp(x) T_c; paper eq. 3).
-template <typename Camera>
-struct AlignProblem {
-  const PointSet& points;
-  const Pyramid& image;
-  const Camera& camera;
-  DepthTerm depth{};
-  SE3d T_outer{};
-  bool centred = false;
-  Vector3<double> centroid = Vector3<double>::Zero();  ///< c, camera axes of the reference
-  Matrix6<double> prior = Matrix6<double>::Zero();     ///< information of [T_o c - c; log R_o] about zero
-  AlignState photometry{};                             ///< expected gain and offset
-  double gain_information = 0;                         ///< of the gain about that
-  double offset_information = 0;                       ///< of the offset about that
-  double hidden_cost = 0;  ///< what a hidden point, or one that left the image, counts when minima are ranked
-  const DepthPyramid* depth_pyramid = nullptr;  ///< of the new frame; null: depth.inverse_depth serves at all levels
-
-  /// The depth term at a pyramid level.
-  DepthTerm depth_at(int level) const {
-    DepthTerm term = depth;
-    if (depth_pyramid)
-      term.inverse_depth = depth_pyramid->levels[static_cast<std::size_t>(level)].view(), term.level = level;
-    return term;
-  }
-
-  /// Cost of gain and offset being unexpected; keeps a flat region from explaining everything by no contrast at all.
-  double photometric_cost(const AlignState& s) const {
-    const double a = s.gain - photometry.gain, b = s.offset - photometry.offset;
-    return 0.5 * (gain_information * a * a + offset_information * b * b);
-  }
-};
-
-/// Result of an alignment.
-struct Alignment {
-  AlignState state;             ///< T = T_i_j
-  Matrix8 H = Matrix8::Zero();  ///< information of [x; a; b], prior included
-  Matrix8 covariance = Matrix8::Zero();
-  /// x that a unit of each depth error mode causes (NormalEquations::modes)
-  std::array<Vector8, 4> depth_modes{Vector8::Zero(), Vector8::Zero(), Vector8::Zero(), Vector8::Zero()};
-  double sigma_intensity = 0;  ///< grey values, level 0
-  double normalised_variance = 0;
-  double phi = 0;  ///< Pearson correlation of the inliers
-  int inside = 0, seen = 0, occluded = 0, inliers = 0;
-  int with_depth = 0, depth_agrees = 0;  ///< seen points with measured depth; those that agree with the prediction
-  double depth_scatter = 0;  ///< robust sigma of measured minus predicted inverse depth, 1/m; 0 where there is none
-  /// Share by which the cost of the next best minimum is higher, where several were compared.
-  double margin = std::numeric_limits<double>::infinity();
-  int iterations = 0;
-  bool converged = false;
-};
-
-/// Whether the covariance of the motion is one: finite and positive definite. Of a few points that say next to nothing
-/// rounding makes others.
-inline bool has_covariance(const Alignment& a) {
-  return a.covariance.allFinite() &&
-         Eigen::LLT<Matrix6<double>>(a.covariance.topLeftCorner<6, 6>()).info() == Eigen::Success;
-}
 
 /// Direct aligner: Gauss-Newton on the Huber cost, coarse to fine, with jointly estimated gain and offset
 /// (paper eq. 1-5). Buffers are kept from call to call.
@@ -115,7 +51,7 @@ struct DirectAligner {
   /// @param just_aligned `a` is what the last call on this aligner returned: points that it excluded do not count for
   /// the residual scale. Otherwise all do: those that another alignment excluded say nothing of this one.
   template <typename Camera>
-  void finish(const AlignProblem<Camera>& problem, Alignment& a, bool just_aligned = false) {
+  void reject_outliers_and_refit(const AlignProblem<Camera>& problem, Alignment& a, bool just_aligned = false) {
     const auto size = static_cast<std::size_t>(problem.points.size());
     if (!just_aligned || excluded_.size() != size) excluded_.assign(size, 0);
     residuals(problem, 0, a.state, a.sigma_intensity);
@@ -148,13 +84,13 @@ struct DirectAligner {
     a.inside = a.seen + a.occluded;
     a.phi = pearson.correlation();
     a.depth_scatter = static_cast<double>(mad_sigma(scratch_));
-    a.normalised_variance = a.inliers ? sum / a.inliers : 0;
+    a.reduced_chi2 = a.inliers ? sum / a.inliers : 0;
   }
 
   /// Mean Tukey cost over the visible points of a level, with a given sigma_I; ranks local minima. Includes the depth
   /// term and, where the problem sets it, a cost of hidden points. Infinite when nothing is visible.
   template <typename Camera>
-  double rank(const AlignProblem<Camera>& problem, const AlignState& state, int level, double sigma_intensity) {
+  double tukey_cost(const AlignProblem<Camera>& problem, const AlignState& state, int level, double sigma_intensity) {
     residuals(problem, level, state, sigma_intensity);
     const PointResiduals& p = residuals_;
     const float s2 = static_cast<float>(sq(sigma_intensity)), c = static_cast<float>(settings.tukey);
@@ -297,89 +233,7 @@ struct DirectAligner {
 
   /// Gauss-Newton on one level, on level 0 again where the first round changed the residual scale or did not converge.
   template <typename Camera>
-  void refine(const AlignProblem<Camera>& problem, int level, Alignment& a, bool want_covariance, bool near = false) {
-    const Camera camera = problem.camera.at_level(level);
-    const Image<std::uint8_t>& image = problem.image.levels[static_cast<std::size_t>(level)];
-    const DepthTerm depth = problem.depth_at(level);
-    std::optional<Eigen::LDLT<Matrix8>> last;  // of the last pose that was accepted
-    std::array<Vector8, 4> modes;
-    Matrix3<double> modes_R;
-    a.seen = 0;
-    for (int round = 0; round < 2; ++round) {
-      const double scale_before = a.sigma_intensity;
-      residuals(problem, level, a.state, a.sigma_intensity);
-      if (near) std::fill(excluded_.begin(), excluded_.end(), std::uint8_t{0});
-      a.sigma_intensity = scale_of_residuals(a.sigma_intensity);
-      if (near) exclude_outliers(a);
-      if (round > 0 && a.converged && std::abs(a.sigma_intensity - scale_before) < kSameScale * scale_before) break;
-      const ResidualNoise noise = residual_noise(a.sigma_intensity);
-      AlignState accepted = a.state;
-      double accepted_cost = std::numeric_limits<double>::infinity();
-      a.converged = false;
-      for (int iteration = 0; iteration < settings.max_iterations; ++iteration) {
-        // From x to the twist about the centroid in the camera's axes, A = T_outer Tr(c'): T <- A exp(x) A^-1 T.
-        const SE3d T_o = problem.T_outer.inverse() * a.state.T;
-        const Vector3<double> moved =
-            problem.centred ? Vector3<double>(T_o * problem.centroid) : Vector3<double>::Zero();
-        const SE3d A = problem.T_outer * SE3d::translation(moved);
-        NormalEquations sums =
-            reduction.linearize(problem.points, level, camera, image, a.state, noise, depth, excluded_.data(), A.t);
-        if (sums.seen < 10) {
-          a.state = accepted;
-          break;
-        }
-        ++a.iterations;
-        a.seen = sums.seen;
-        Matrix8& H = sums.H;
-        Vector8& g = sums.g;
-        turn(A.R, H), turn(A.R, g);
-        double cost = sums.cost;
-        if (problem.centred) {
-          Vector6<double> p;
-          p << moved - problem.centroid, so3::log(T_o.R);
-          H.topLeftCorner<6, 6>() += problem.prior;
-          g.head<6>() += problem.prior * p;
-          cost += 0.5 * p.dot(problem.prior * p) / sums.seen;
-        }
-        H(6, 6) += problem.gain_information;
-        H(7, 7) += problem.offset_information;
-        g[6] += problem.gain_information * (a.state.gain - problem.photometry.gain);
-        g[7] += problem.offset_information * (a.state.offset - problem.photometry.offset);
-        cost += problem.photometric_cost(a.state) / sums.seen;
-        if (cost > accepted_cost) {
-          a.state = accepted;
-          a.converged = true;
-          break;
-        }
-        accepted = a.state;
-        accepted_cost = cost;
-        // A whiff of damping relative to each parameter keeps a direction that no point sees from exploding.
-        Matrix8 damped = H;
-        damped.diagonal() += 1e-7 * H.diagonal() + Vector8::Constant(1e-9);
-        const Eigen::LDLT<Matrix8> solver(damped);
-        const Vector8 x = -solver.solve(g);
-        a.H = H;
-        last = solver;
-        modes = sums.modes, modes_R = A.R;
-        if (!x.allFinite()) break;
-        const double decrease = -g.dot(x);  // x' H x: the step in squared sigmas
-        a.state.T = (A * SE3d::exp(x.head<6>()) * A.inverse() * a.state.T).normalized();
-        a.state.gain += x[6];
-        a.state.offset += x[7];
-        if (decrease < (level > 0 ? kCoarseStep : kStep)) {
-          a.converged = true;
-          break;
-        }
-      }
-      if (level > 0) break;
-    }
-    if (!last || !want_covariance) return;
-    a.covariance = last->solve(Matrix8::Identity());
-    for (std::size_t m = 0; m < 4; ++m) {
-      turn(modes_R, modes[m]);
-      a.depth_modes[m] = -last->solve(modes[m]);
-    }
-  }
+  void refine(const AlignProblem<Camera>& problem, int level, Alignment& a, bool want_covariance, bool near = false);
 
   PointResiduals residuals_;
   std::vector<std::uint8_t> excluded_;
@@ -387,3 +241,5 @@ struct DirectAligner {
 };
 
 DOT_END_NAMESPACE
+
+#include "dot/align/impl/refine.hpp"

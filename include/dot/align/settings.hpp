@@ -27,11 +27,11 @@ struct CameraSettings {
   double min_margin = 0.02;   ///< while the velocity is unknown: share by which any other motion must fit worse, the
                               ///< standard error of a mean cost over some thousand points
   double min_inliers = 0.35;  ///< share of the visible points
-  double restart_margin = 0.005;  ///< a further start must win by this share of the cost
-  double search_speed = 45;       ///< m/s: reach of the starts while the speed is unknown
-  double search_turn = 1.2;       ///< rad/s: likewise of the turns, up to 0.2 rad
-  double restart_shift = 0.8;     ///< metres: reach of the shifted starts along the least determined direction
-  double covariance_scale = 4;    ///< of the covariance over Sigma_x: residuals of neighbouring points are correlated
+  double multistart_margin = 0.005;  ///< a further start must win by this share of the cost
+  double search_speed = 45;          ///< m/s: reach of the starts while the speed is unknown
+  double search_turn = 1.2;          ///< rad/s: likewise of the turns, up to 0.2 rad
+  double multistart_shift = 0.8;     ///< metres: reach of the shifted starts along the least determined direction
+  double covariance_scale = 4;  ///< of the covariance over Sigma_x: residuals of neighbouring points are correlated
 };
 
 }  // namespace dot

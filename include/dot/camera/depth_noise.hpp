@@ -17,21 +17,21 @@ DOT_BEGIN_NAMESPACE
 /// Depth noise, a policy of the pipeline. Any struct serves that offers, const and for an inverse depth q in 1/m, these
 /// standard deviations in 1/m:
 ///
-///     double pixel(double q);         // of one pixel
-///     double common(double q);        // of the error that an object's pixels share
-///     double change(double q);        // of that error's change from one frame of a fit to the other
-///     double prior_pixel(double q);   // of one pixel, before anything was learnt
-///     double prior_common(double q);  // shared, before anything was learnt
+///     double pixel_sigma(double q);         // of one pixel
+///     double shared_sigma(double q);        // of the error that an object's pixels share
+///     double shared_drift_sigma(double q);        // of that error's change from one frame of a fit to the other
+///     double prior_pixel_sigma(double q);   // of one pixel, before anything was learnt
+///     double prior_shared_sigma(double q);  // shared, before anything was learnt
 
 /// Noise of the depth as standard deviation of *inverse depth* q at a point. An error has a part of each pixel and a
 /// part that all pixels of an object share, which no number of pixels averages out. The settings are priors; the
 /// pipeline scales them with what the background shows (pipeline/depth_learning.hpp).
 struct DepthNoise {
   DepthNoiseSettings settings;
-  double focal_baseline = 0;  ///< f b, pixel metres
-  double pixel_scale = 1;     ///< learned factors on the priors
-  double common_scale = 1;    ///< of the shared error
-  double change_scale = 1;    ///< of the shared error's change from frame to frame
+  double focal_baseline = 0;      ///< f b, pixel metres
+  double pixel_scale = 1;         ///< learned factors on the priors
+  double shared_scale = 1;        ///< of the shared error
+  double shared_drift_scale = 1;  ///< of the shared error's change from frame to frame
 
   DepthNoise() = default;
   DepthNoise(const DepthNoiseSettings& prior, const Intrinsics& camera)
@@ -40,13 +40,13 @@ struct DepthNoise {
   }
 
   /// Standard deviation of one pixel's inverse depth, 1/m.
-  double pixel(double q) const { return pixel_scale * prior_pixel(q); }
+  double pixel_sigma(double q) const { return pixel_scale * prior_pixel_sigma(q); }
   /// Standard deviation of the error that an object's pixels share, 1/m.
-  double common(double q) const { return common_scale * prior_common(q); }
+  double shared_sigma(double q) const { return shared_scale * prior_shared_sigma(q); }
   /// Standard deviation of that error's change from one frame of a fit to the other, 1/m.
-  double change(double q) const { return change_scale * prior_common(q); }
+  double shared_drift_sigma(double q) const { return shared_drift_scale * prior_shared_sigma(q); }
 
-  double prior_pixel(double q) const {
+  double prior_pixel_sigma(double q) const {
     switch (settings.source) {
       case DepthSource::Stereo: return settings.stereo_sigma_px / focal_baseline;
       case DepthSource::Rgbd: return settings.rgbd_sigma + 1e-3 * q;
@@ -55,7 +55,7 @@ struct DepthNoise {
     }
     return settings.unknown_relative * q;
   }
-  double prior_common(double q) const {
+  double prior_shared_sigma(double q) const {
     switch (settings.source) {
       case DepthSource::Stereo: return settings.stereo_common_px / focal_baseline;
       case DepthSource::Rgbd: return settings.rgbd_common + 5e-4 * q;
@@ -70,11 +70,12 @@ namespace depth_noise_concept {
 template <typename T, typename = void>
 inline constexpr bool holds_v = false;
 template <typename T>
-inline constexpr bool holds_v<
-    T, std::void_t<decltype(double(std::declval<const T&>().pixel(1.0)) + double(std::declval<const T&>().common(1.0)) +
-                            double(std::declval<const T&>().change(1.0)) +
-                            double(std::declval<const T&>().prior_pixel(1.0)) +
-                            double(std::declval<const T&>().prior_common(1.0)))>> = true;
+inline constexpr bool holds_v<T, std::void_t<decltype(double(std::declval<const T&>().pixel_sigma(1.0)) +
+                                                      double(std::declval<const T&>().shared_sigma(1.0)) +
+                                                      double(std::declval<const T&>().shared_drift_sigma(1.0)) +
+                                                      double(std::declval<const T&>().prior_pixel_sigma(1.0)) +
+                                                      double(std::declval<const T&>().prior_shared_sigma(1.0)))>> =
+    true;
 }  // namespace depth_noise_concept
 
 /// Whether T satisfies the concept above.

@@ -6,9 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
+#include "dot/motion/chi2.hpp"
 #include "dot/motion/estimate.hpp"
 #include "dot/motion/settings.hpp"
 #include "dot/motion/velocity_trust.hpp"
@@ -46,99 +44,23 @@ struct Belief {
   bool has_velocity() const { return covariance(0, 0) > 0; }
 
   /// Lets time pass: things start and stop, velocities change, and the camera turned by R_cur_prev.
-  void predict(double dt, const Matrix3<double>& R_cur_prev, const VelocitySettings& s) {
-    const double p = p_moving(), change = std::min(0.5, s.switch_rate * dt);
-    const double q = p * (1 - change) + (1 - p) * change;
-    log_odds = std::log(q / (1 - q));
-    if (!has_velocity()) return;
-    // Accelerations that last for tau: the variance grows by a^2 tau a second.
-    covariance += Matrix3<double>::Identity() * sq(s.acceleration) * kAccelerationSeconds * dt;
-    velocity = R_cur_prev * velocity;
-    covariance = R_cur_prev * covariance * R_cur_prev.transpose();
-  }
+  void predict(double dt, const Matrix3<double>& R_cur_prev, const VelocitySettings& s);
 
   /// Weighs a velocity in the axes of the belief. @param v0 m/s, of the object's range.
-  void update(const MotionEstimate& e, double v0, const VelocitySettings& s) {
-    const bool has_interval = e.interval > 0 && std::isfinite(e.interval) && e.intervals > 0;
-    if (!has_interval || !e.velocity.allFinite() || !e.covariance.allFinite()) return;
-    Belief after = *this;
-    after.weigh(e, v0, s);
-    if (std::isfinite(after.log_odds) && after.velocity.allFinite() && after.covariance.allFinite()) *this = after;
-  }
+  void update(const MotionEstimate& e, double v0, const VelocitySettings& s);
 
  private:
   static double sq(double x) { return x * x; }
 
-  void weigh(const MotionEstimate& e, double v0, const VelocitySettings& s) {
-    const Vector3<double>& v = e.velocity;
-    const Matrix3<double>& V = e.covariance;
-    const Matrix3<double> I = Matrix3<double>::Identity();
-    const double speed2 = sq(s.prior_speed * v0 / s.v0);  // near things are slow things on tables, far ones vehicles
-    const double outlier = s.outliers * density(v, V + 36 * speed2 * I);
-
-    const Vector3<double> zero = Vector3<double>::Zero();
-    const Vector3<double> weakest = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(V).eigenvectors().col(2);
-    // Both hypotheses with errors as stated, and with those of a bad fit.
-    double stands = 0, moves = 0;
-    for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, V},
-                                   std::pair<double, Matrix3<double>>{s.tail_share, s.tail_variance * V}}) {
-      stands += share * density(v, S + sq(0.35 * v0) * I);
-      double fresh = 0;
-      for (const double scale : {1.0, 25.0}) {  // variances of ordinary and of motorway speed
-        const Matrix3<double> any = scale * speed2 * I;
-        const Matrix3<double> pencil = scale * speed2 * weakest * weakest.transpose() + sq(v0) * I;
-        fresh += 0.25 * (hypothesis(v, S, zero, any, v0) + hypothesis(v, S, zero, pencil, v0));
-      }
-      moves += share * (has_velocity() ? 0.9 * hypothesis(v, S, velocity, covariance, v0) + 0.1 * fresh : fresh);
-    }
-    stands = (1 - s.outliers) * stands + outlier;
-    moves = (1 - s.outliers) * moves + outlier;
-
-    // Fits that reach back over the same time say the same: of one over `interval`, a frame brings its share.
-    const double frame = e.interval / e.intervals;
-    const double share = std::min(1.0, frame / std::sqrt(kIndependentSeconds * e.interval));
-    const double cap = std::min(s.max_evidence_rate * frame, s.max_evidence);
-    const double evidence = share * (std::log(moves + 1e-300) - std::log(stands + 1e-300));
-    log_odds = std::clamp(log_odds + std::clamp(evidence, -cap, cap), -s.max_log_odds, s.max_log_odds);
-
-    // The filter: restarted where fits contradict it.
-    const bool agrees = has_velocity() && (v - velocity).dot((V + covariance).ldlt().solve(v - velocity)) <= 25;
-    if (!trust.accept(agrees, frame)) return;
-    if (!agrees) velocity.setZero(), covariance = 25 * speed2 * I;
-    const Matrix3<double> K = covariance * (covariance + std::max(1.0, kIndependentSeconds / frame) * V).inverse();
-    velocity += K * (v - velocity);
-    covariance = (I - K) * covariance;
-    covariance = 0.5 * (covariance + covariance.transpose()).eval();
-  }
-
-  static double density(const Vector3<double>& x, const Matrix3<double>& S) {
-    const Eigen::LDLT<Matrix3<double>> ldlt(S);
-    const double log_det = ldlt.vectorD().array().max(1e-300).log().sum();
-    return std::exp(-0.5 * (x.dot(ldlt.solve(x)) + log_det + 3 * std::log(2 * 3.14159265358979323846)));
-  }
-
-  /// Density of v under "the velocity is of N(m, S), and beyond v0": that of the Gaussian times
-  /// P(|velocity| > v0 | v) / P(|velocity| > v0); the ball is taken as the cube of the same volume along the axes of
-  /// each covariance.
+  void weigh(const MotionEstimate& e, double v0, const VelocitySettings& s);
+  static double density(const Vector3<double>& x, const Matrix3<double>& S);
   static double hypothesis(const Vector3<double>& v, const Matrix3<double>& V, const Vector3<double>& m,
-                           const Matrix3<double>& S, double v0) {
-    const Matrix3<double> K = S * (S + V).inverse();
-    const double prior = 1 - inside(m, S, v0);
-    const double posterior = 1 - inside(m + K * (v - m), S - K * S, v0);
-    return density(v - m, V + S) * std::max(posterior, 1e-12) / std::max(prior, 1e-3);
-  }
-
-  static double inside(const Vector3<double>& mean, const Matrix3<double>& S, double v0) {
-    const Eigen::SelfAdjointEigenSolver<Matrix3<double>> eigen(S);
-    const Vector3<double> c = eigen.eigenvectors().transpose() * mean;
-    const double half = 0.806 * v0;
-    double p = 1;
-    for (int i = 0; i < 3; ++i) {
-      const double sigma = std::sqrt(std::max(eigen.eigenvalues()[i], 1e-12)) * 1.41421356237309505;
-      p *= 0.5 * (std::erf((half - c[i]) / sigma) - std::erf((-half - c[i]) / sigma));
-    }
-    return p;
-  }
+                           const Matrix3<double>& S, double v0);
+  static double inside(const Vector3<double>& mean, const Matrix3<double>& S, double v0);
 };
 
 DOT_END_NAMESPACE
+
+#ifndef DOT_USES_COMPILED_PIPELINE
+#include "dot/motion/impl/belief.hpp"
+#endif

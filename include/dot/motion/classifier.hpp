@@ -55,19 +55,7 @@ struct VelocityClassifier {
   /// v0 of an object at this range, m/s: near things count as moving at lower speeds.
   double v0(double range) const { return std::max(1e-3, std::min(settings.v0, settings.v0_per_metre * range)); }
 
-  Decision operator()(Memory& m, const MotionEstimate* fit, const Matrix3<double>& R_cur_prev, double dt) const {
-    // The fit is in the previous camera's axes, like the belief before the step.
-    if (fit) m.belief.update(*fit, v0(fit->range), settings);
-    m.belief.predict(dt, R_cur_prev, settings);
-    const double p = m.belief.p_moving();
-    if (p > settings.decide || (m.state == State::Moving && p > settings.keep))
-      m.state = State::Moving;
-    else if (p < 1 - settings.decide || (m.state == State::Static && p < 1 - settings.keep))
-      m.state = State::Static;
-    else
-      m.state = State::NotObservable;
-    return {m.state, p, m.belief.velocity, m.belief.covariance};
-  }
+  Decision operator()(Memory& m, const MotionEstimate* fit, const Matrix3<double>& R_cur_prev, double dt) const;
 };
 
 /// The velocity test of a single frame, without memory: moving if the 99 % ellipsoid of v excludes the ball
@@ -76,20 +64,7 @@ struct SingleFrameClassifier {
   VelocitySettings settings;
   struct Memory {};
 
-  Decision operator()(Memory&, const MotionEstimate* fit, const Matrix3<double>& R_cur_prev, double) const {
-    if (!fit) return {};
-    const double v0 = VelocityClassifier{settings}.v0(fit->range);
-    const Eigen::SelfAdjointEigenSolver<Matrix3<double>> eigen(fit->covariance);
-    const double k2 = 11.345;  // 99 % of a chi-square of three degrees
-    Decision d{State::NotObservable, 0.5, R_cur_prev * fit->velocity,
-               R_cur_prev * fit->covariance * R_cur_prev.transpose()};
-    // Distance of the nearest point of the ball in the metric of the covariance, bounded below along v.
-    const double speed = fit->velocity.norm();
-    const double sigma2 = speed > 0 ? fit->velocity.dot(fit->covariance * fit->velocity) / (speed * speed) : 0;
-    if (speed > v0 && (speed - v0) * (speed - v0) > k2 * sigma2) d.state = State::Moving, d.p_moving = 0.99;
-    if (speed + std::sqrt(k2 * eigen.eigenvalues()[2]) < v0) d.state = State::Static, d.p_moving = 0.01;
-    return d;
-  }
+  Decision operator()(Memory&, const MotionEstimate* fit, const Matrix3<double>& R_cur_prev, double) const;
 };
 
 /// The paper's rule (section 3.5), with the gate as H < H_max: a badly determined pose has *high* entropy, so the
@@ -103,23 +78,11 @@ struct EntropyClassifier {
     State state = State::NotObservable;
   };
 
-  Decision operator()(Memory& m, const MotionEstimate* fit, const Matrix3<double>& R_cur_prev, double) const {
-    Decision d;
-    const bool observable =
-        fit && (literal ? fit->entropy > settings.min_entropy : fit->entropy < settings.max_entropy);
-    // The paper keeps the last decision of what is not observable any more.
-    if (observable)
-      m.state = fit->disparity_px > std::max(settings.min_disparity, settings.noise_factor * fit->disparity_noise_px)
-                    ? State::Moving
-                    : State::Static;
-    d.state = m.state;
-    d.p_moving = d.state == State::Moving ? 1 : d.state == State::Static ? 0 : 0.5;
-    if (fit) {
-      d.velocity = R_cur_prev * fit->velocity;
-      d.covariance = R_cur_prev * fit->covariance * R_cur_prev.transpose();
-    }
-    return d;
-  }
+  Decision operator()(Memory& m, const MotionEstimate* fit, const Matrix3<double>& R_cur_prev, double) const;
 };
 
 DOT_END_NAMESPACE
+
+#ifndef DOT_USES_COMPILED_PIPELINE
+#include "dot/motion/impl/classifier.hpp"
+#endif

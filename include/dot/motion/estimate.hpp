@@ -13,8 +13,8 @@ DOT_BEGIN_NAMESPACE
 struct MotionEstimate {
   Vector3<double> velocity = Vector3<double>::Zero();    ///< of the centroid, m/s
   Matrix3<double> covariance = Matrix3<double>::Zero();  ///< of the velocity: photometric, camera's and depth's share
-  double interval = 0;                                   ///< seconds the fit spans
-  double intervals = 1;                                  ///< frames the fit spans
+  double span_seconds = 0;                               ///< seconds the fit spans
+  double span_frames = 1;                                ///< frames the fit spans
   double range = 0;                                      ///< depth of the centroid, metres
   double disparity_px = 0;                               ///< d_d, see motion/disparity.hpp
   double disparity_noise_px = 0;                         ///< what Sigma_x alone makes of it
@@ -23,20 +23,15 @@ struct MotionEstimate {
 
 /// Differential entropy of a 6-dof Gaussian, H = 1/2 ln((2 pi e)^6 |Sigma|), nats (paper eq. 7). *High* when the
 /// motion is badly determined.
-inline double entropy(const Matrix6<double>& sigma) {
-  const Eigen::LDLT<Matrix6<double>> ldlt(sigma);
-  const double log_det = ldlt.vectorD().array().max(1e-300).log().sum();
-  return 0.5 * (6 * std::log(2 * 3.14159265358979323846 * 2.71828182845904523536) + log_det);
-}
+DOT_INLINE double entropy(const Matrix6<double>& sigma);
 
 /// Covariance of the centroid's displacement that a camera covariance causes: the object moved to X (camera axes of the
 /// new frame) by T_c T_o, so an error xi of T_c moves the centroid by -A xi, A = R_c' [I | -[X]x].
-inline Matrix3<double> camera_share(const Matrix6<double>& camera_covariance, const SE3d& T_c,
-                                    const Vector3<double>& X) {
-  Eigen::Matrix<double, 3, 6> A;
-  A << Matrix3<double>::Identity(), -so3::hat(X);
-  A = T_c.R.transpose() * A;
-  return A * camera_covariance * A.transpose();
-}
+DOT_INLINE Matrix3<double> camera_share(const Matrix6<double>& camera_covariance, const SE3d& T_c,
+                                        const Vector3<double>& X);
 
 DOT_END_NAMESPACE
+
+#ifndef DOT_USES_COMPILED_PIPELINE
+#include "dot/motion/impl/estimate.hpp"
+#endif

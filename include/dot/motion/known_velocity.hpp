@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dot/motion/chi2.hpp"
 #include "dot/motion/estimate.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -14,21 +15,16 @@ struct KnownVelocity {
 
   /// Whether a fit in the same axes differs by more than errors and an acceleration, m/s^2, explain. Such a fit has
   /// locked onto something else, mostly onto what stands behind a mover. Both are within three sigma, 99.7 %, of a
-  /// normal: d' (V + V_known + (a t)^2 / k I)^-1 d <= k, k = 14.2 being that quantile of chi^2 of three degrees.
-  bool contradicts(const MotionEstimate& fit, double max_acceleration) const {
-    if (!(seconds > 0)) return false;
-    constexpr double k = 14.2;
-    const double change = max_acceleration * seconds;
-    const Matrix3<double> S = fit.covariance + covariance + Matrix3<double>::Identity() * (change * change / k);
-    const Vector3<double> d = fit.velocity - velocity;
-    return d.dot(S.ldlt().solve(d)) > k;
-  }
+  /// normal: d' (V + V_known + (a t)^2 / k I)^-1 d <= k, k being that quantile of chi^2 of three degrees.
+  bool contradicts(const MotionEstimate& fit, double max_acceleration) const;
 
   /// What to add to the velocity of a fit in the same axes to have the mean of both, weighed by their covariances V and
   /// P: Kalman's update, V (V + P)^-1 (v - v_fit), m/s.
-  Vector3<double> correction(const MotionEstimate& fit) const {
-    return fit.covariance * (fit.covariance + covariance).ldlt().solve(velocity - fit.velocity);
-  }
+  Vector3<double> correction(const MotionEstimate& fit) const;
 };
 
 DOT_END_NAMESPACE
+
+#ifndef DOT_USES_COMPILED_PIPELINE
+#include "dot/motion/impl/known_velocity.hpp"
+#endif

@@ -10,7 +10,7 @@
 
 namespace dot {
 
-/// All settings of the pipeline, by room. Defaults suit street scenes and rooms alike; times are in seconds, so the
+/// All settings of the pipeline, by module. Defaults suit street scenes and rooms alike; times are in seconds, so the
 /// frame rate does not matter.
 struct Options {
   SelectionSettings selection;
@@ -61,8 +61,8 @@ void for_each_option_range(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(camera.min_inliers, 0, 1);
   DOT_OPTION(camera.search_speed, 0, 1e3);
   DOT_OPTION(camera.search_turn, 0, 20);
-  DOT_OPTION(camera.restart_margin, 0, 1);
-  DOT_OPTION(camera.restart_shift, 0, 100);
+  DOT_OPTION(camera.multistart_margin, 0, 1);
+  DOT_OPTION(camera.multistart_shift, 0, 100);
   DOT_OPTION(camera.covariance_scale, 0.01, 1e3);
   DOT_OPTION(depth_noise.stereo_sigma_px, 1e-3, 100);
   DOT_OPTION(depth_noise.stereo_common_px, 0, 100);

@@ -6,44 +6,16 @@
 #include <array>
 #include <cstdint>
 
+#include "dot/camera_motion/status.hpp"
 #include "dot/image/span.hpp"
 #include "dot/image/view.hpp"
+#include "dot/motion/reason.hpp"
 #include "dot/motion/state.hpp"
 
 /// @file
 /// What comes out of the tracker: plain values and views, neither Eigen nor OpenCV.
 
 namespace dot {
-
-/// Why an object has no motion estimate in this frame (or was dropped after it).
-enum class Reason : std::uint8_t {
-  None,              ///< it has one
-  New,               ///< first seen in this frame, and the frame before tells no motion
-  NoReference,       ///< the frames before this one were dropped (gap in time, or reset)
-  TooFewPixels,      ///< its mask is too small
-  TooLittleDepth,    ///< its mask has too little valid depth
-  TooLittleTexture,  ///< too few pixels with a gradient
-  LeavesImage,       ///< too small a part of it stays inside the image
-  Occluded,          ///< nearer things hide too much of it
-  Diverged,          ///< the alignment did not converge
-  LowCorrelation,    ///< reference and tracked intensities do not correlate (phi)
-  TooFewInliers,     ///< too few points agree with the fitted line between intensities
-  DepthDisagrees,    ///< the motion found contradicts the measured depth
-  Implausible,       ///< the motion found is faster than Options::object.max_speed
-  Hidden,            ///< neither its prediction nor a mask shows it in this frame
-  CameraLost,        ///< no camera motion, hence no object motion
-  Lost,              ///< not seen for longer than Options::mask.keep_seconds: dropped after this frame
-  TooManyObjects     ///< not among the Options::object.max_fitted largest: carried on at its last velocity
-};
-
-enum class CameraStatus : std::uint8_t {
-  FirstFrame,      ///< no reference yet, or references dropped: T_cur_prev is the identity and means nothing
-  Tracked,         ///< estimated from the image
-  FromHost,        ///< taken from Frame::camera_motion
-  TooLittleDepth,  ///< no earlier frame had enough background points with depth; T_cur_prev is a guess: the host's
-                   ///< prior, or constant velocity, with the covariance of a motion of which only the limits are known
-  Lost             ///< the alignment failed; T_cur_prev is a guess likewise
-};
 
 /// The camera's motion over the last interval.
 struct CameraResult {
@@ -54,7 +26,7 @@ struct CameraResult {
   double gain = 1;                      ///< I_cur = gain I_prev + offset
   double offset = 0;                    ///< grey values
   double residual_sigma = 0;            ///< grey values, robust
-  double normalised_variance = 0;       ///< of the inliers' residuals over their predicted sigma; near 1 when honest
+  double reduced_chi2 = 0;              ///< of the inliers' residuals over their predicted sigma; near 1 when honest
   int n_points = 0;                     ///< background points inside the image
   int n_inliers = 0;
 };
@@ -127,33 +99,5 @@ struct Result {
     return found != objects.end() && found->id == id ? found : nullptr;
   }
 };
-
-/// Name of a reason, lower case with underscores; empty for None.
-constexpr const char* to_string(Reason reason) {
-  constexpr const char* names[] = {"",
-                                   "new",
-                                   "no_reference",
-                                   "too_few_pixels",
-                                   "too_little_depth",
-                                   "too_little_texture",
-                                   "leaves_image",
-                                   "occluded",
-                                   "diverged",
-                                   "low_correlation",
-                                   "too_few_inliers",
-                                   "depth_disagrees",
-                                   "implausible",
-                                   "hidden",
-                                   "camera_lost",
-                                   "lost",
-                                   "too_many_objects"};
-  return reason <= Reason::TooManyObjects ? names[static_cast<int>(reason)] : "?";
-}
-
-/// Name of a camera status, lower case with underscores.
-constexpr const char* to_string(CameraStatus status) {
-  constexpr const char* names[] = {"first_frame", "tracked", "from_host", "too_little_depth", "lost"};
-  return status <= CameraStatus::Lost ? names[static_cast<int>(status)] : "?";
-}
 
 }  // namespace dot

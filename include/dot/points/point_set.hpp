@@ -46,7 +46,7 @@ struct PointSet {
 
   /// Takes from q what has become known of the bias since. @param width, height of the image. @return whether there
   /// was.
-  bool take(const DepthBias& known, int width, int height) {
+  bool subtract_bias(const DepthBias& known, int width, int height) {
     const DepthBias learnt{known.coefficients - bias.coefficients};
     if (learnt.is_zero()) return false;
     const double to_s = 2.0 / width, to_t = 2.0 / height;

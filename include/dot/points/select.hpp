@@ -122,7 +122,7 @@ struct Selector {
 
  private:
   float pixel_sigma(const SelectionRegion& region, float measured) const {
-    return static_cast<float>(noise.pixel(measured > 0 ? measured : region.shared->q));
+    return static_cast<float>(noise.pixel_sigma(measured > 0 ? measured : region.shared->q));
   }
 
   /// Of the grid: the budget is for the area that may have points at all.

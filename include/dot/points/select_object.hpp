@@ -8,12 +8,10 @@
 #include <vector>
 
 #include "dot/image/morphology.hpp"
+#include "dot/mask/centre.hpp"
 #include "dot/points/select.hpp"
 
 DOT_BEGIN_NAMESPACE
-
-/// Of a mask of `area` pixels, the 1000 or more in every so manieth row and column tell its middle and its depth.
-inline int sampling_step(int area) { return std::max(1, static_cast<int>(std::sqrt(area / 1000.0))); }
 
 /// What became of the selection of an object's points.
 struct ObjectPoints {
@@ -103,7 +101,7 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
   const float far = at(values.begin(), rank(0.2), half), near = at(half + 1, rank(0.8), values.end());
   const float z = 1 / out.median_q;
   const float widen = std::min(3.5f, 0.25f * z + (1 / far - 1 / near));
-  const float sigma = static_cast<float>(select.noise.pixel(out.median_q)), slack = 4 * sigma;
+  const float sigma = static_cast<float>(select.noise.pixel_sigma(out.median_q)), slack = 4 * sigma;
   const float q_min = 1 / (1 / far + widen) - slack;
   const float z_near = 1 / near - widen;
   const float q_max = (z_near > 0 ? 1 / z_near : 1e6f) + slack;

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "dot/align/reduction.hpp"
 #include "dot/align/robust.hpp"
 
 DOT_BEGIN_NAMESPACE

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "dot/align/reduction.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Result of an alignment.
+struct Alignment {
+  AlignState state;             ///< T = T_i_j
+  Matrix8 H = Matrix8::Zero();  ///< information of [x; a; b], prior included
+  Matrix8 covariance = Matrix8::Zero();
+  /// x that a unit of each depth error mode causes (NormalEquations::modes)
+  std::array<Vector8, 4> depth_modes{Vector8::Zero(), Vector8::Zero(), Vector8::Zero(), Vector8::Zero()};
+  double sigma_intensity = 0;  ///< grey values, level 0
+  double reduced_chi2 = 0;
+  double phi = 0;  ///< Pearson correlation of the inliers
+  int inside = 0, seen = 0, occluded = 0, inliers = 0;
+  int with_depth = 0, depth_agrees = 0;  ///< seen points with measured depth; those that agree with the prediction
+  double depth_scatter = 0;  ///< robust sigma of measured minus predicted inverse depth, 1/m; 0 where there is none
+  /// Share by which the cost of the next best minimum is higher, where several were compared.
+  double margin = std::numeric_limits<double>::infinity();
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Whether the covariance of the motion is one: finite and positive definite. Of a few points that say next to nothing
+/// rounding makes others.
+DOT_INLINE bool has_covariance(const Alignment& a);
+
+DOT_END_NAMESPACE
+
+#ifndef DOT_USES_COMPILED_PIPELINE
+#include "dot/align/impl/alignment.hpp"
+#endif

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include "dot/align/reduction.hpp"
+#include "dot/image/depth_pyramid.hpp"
+#include "dot/image/pyramid.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// What to align: points of a reference to an image, T_i_j = T_outer T_o.
+///
+/// The unknown x moves T_o by a left twist about the region's centroid c, T_o <- Tr(c') exp(x) Tr(-c') T_o with
+/// c' = T_o c (an object: its rotation error does not leak into metres of translation), or about the camera's origin
+/// when `centred` is false (the camera itself: T_outer = 1, T_c <- exp(x) T_c; paper eq. 3).
+template <typename Camera>
+struct AlignProblem {
+  const PointSet& points;
+  const Pyramid& image;
+  const Camera& camera;
+  DepthTerm depth{};
+  SE3d T_outer{};
+  bool centred = false;
+  Vector3<double> centroid = Vector3<double>::Zero();  ///< c, camera axes of the reference
+  Matrix6<double> prior = Matrix6<double>::Zero();     ///< information of [T_o c - c; log R_o] about zero
+  AlignState photometry{};                             ///< expected gain and offset
+  double gain_information = 0;                         ///< of the gain about that
+  double offset_information = 0;                       ///< of the offset about that
+  double hidden_cost = 0;  ///< what a hidden point, or one that left the image, counts when minima are ranked
+  const DepthPyramid* depth_pyramid = nullptr;  ///< of the new frame; null: depth.inverse_depth serves at all levels
+
+  /// The depth term at a pyramid level.
+  DepthTerm depth_at(int level) const {
+    DepthTerm term = depth;
+    if (depth_pyramid)
+      term.inverse_depth = depth_pyramid->levels[static_cast<std::size_t>(level)].view(), term.level = level;
+    return term;
+  }
+
+  /// Cost of gain and offset being unexpected; keeps a flat region from explaining everything by no contrast at all.
+  double photometric_cost(const AlignState& s) const {
+    const double a = s.gain - photometry.gain, b = s.offset - photometry.offset;
+    return 0.5 * (gain_information * a * a + offset_information * b * b);
+  }
+};
+
+DOT_END_NAMESPACE

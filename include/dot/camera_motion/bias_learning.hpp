@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include "dot/align/aligner.hpp"
+#include "dot/camera/depth_bias.hpp"
+#include "dot/motion/chi2.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Learns the bias of the depth from the background, which stands still: where its depth is wrong, the camera's motion
+/// moves it by more or by less than predicted.
+///
+/// With the residual r and the derivatives J by [x; a; b] of eq. 3, and dr/dq by the inverse depth, a frame's points
+/// say of the pose and of what is left of the bias, delta, with its terms phi,
+///
+///     r + J [x; a; b] - dr/dq phi' delta = 0
+///
+/// weighted as by Tukey. The pose, gain and offset are eliminated, so that only what no motion explains counts; the
+/// frames are added up, older ones fading. Without motion dr/dq is zero, and nothing is learnt. A depth sensor that has
+/// no such bias should not get one from noise: the estimate is shrunk by the share that noise alone would make of its
+/// size (positive-part James-Stein estimator), and is zero within the 95 % ellipsoid about zero.
+class DepthBiasLearning {
+ public:
+  static constexpr double kMemory = 10;     ///< seconds over which frames fade
+  static constexpr double kCorrelated = 9;  ///< points that say what one without correlated errors would
+
+  double prior = 0;  ///< 1/m, standard deviation of each coefficient; 0: there is no bias, and nothing is learnt
+
+  void forget() {
+    information_.setZero();
+    weighted_.setZero();
+  }
+
+  /// The bias to be taken from what is measured.
+  DepthBias bias() const;
+
+  /// @param points of the background. @param image level 0. @param a their alignment to it.
+  /// @param dt seconds since the last frame.
+  template <typename Camera>
+  void learn(const PointSet& points, const Image<std::uint8_t>& image, const Camera& camera, const Alignment& a,
+             const AlignSettings& settings, double dt) {
+    const double keep = std::exp(-dt / kMemory);
+    information_ *= keep;
+    weighted_ *= keep;
+    if (!(prior > 0)) return;
+    Sums sums = Sums::Zero();
+    const double to_s = 2.0 / image.width(), to_t = 2.0 / image.height();
+    const Matrix3<float> R = a.state.T.R.template cast<float>();
+    const Vector3<float> t = a.state.T.t.template cast<float>();
+    const float u_max = static_cast<float>(image.width() - 3), v_max = static_cast<float>(image.height() - 3);
+    for (std::size_t i = 0; i < points.u.size(); ++i) {
+      const float q = points.q[i];
+      const Vector3<float> X = R * Vector3<float>(points.x[i], points.y[i], 1) + q * t;
+      if (X.z() < 1e-3f) continue;
+      Eigen::Matrix<float, 2, 3> J_pi;
+      const Vector2<float> pixel = camera.template project<float>(X, &J_pi);
+      if (!(pixel.x() >= 1 && pixel.y() >= 1 && pixel.x() < u_max && pixel.y() < v_max)) continue;
+      const Sample s = sample(image, pixel.x(), pixel.y());
+      const Vector3<double> dr_dX = (J_pi.transpose() * Vector2<float>(s.gx, s.gy)).template cast<double>();
+      const double intensity = static_cast<double>(points.intensity[0][i]);
+      const double r = static_cast<double>(s.value) - a.state.gain * intensity - a.state.offset;
+      const double dr_dq = dr_dX.dot(a.state.T.t), by_depth = dr_dq * static_cast<double>(points.sigma_q[i]);
+      const double gradient2 = static_cast<double>(s.gx * s.gx + s.gy * s.gy);
+      const double s2 = sq(a.sigma_intensity) + sq(by_depth) + sq(settings.gradient_noise) * gradient2;
+      const double fits = 1 - r * r / (s2 * sq(settings.tukey));
+      if (fits <= 0) continue;
+      Row J;
+      J << static_cast<double>(q) * dr_dX, X.template cast<double>().cross(dr_dX), -intensity, -1,
+          -dr_dq * DepthBias::terms(to_s * static_cast<double>(points.u[i]) - 1,
+                                    to_t * static_cast<double>(points.v[i]) - 1),
+          r;
+      sums.noalias() += (sq(fits) / s2 * J) * J.transpose();
+    }
+    add(sums, points.bias);
+  }
+
+ private:
+  static constexpr int kPose = 8, kTerms = DepthBias::kTerms;
+  using Terms = DepthBias::Terms;
+  using Information = Eigen::Matrix<double, kTerms, kTerms>;
+  using Sums = Eigen::Matrix<double, kPose + kTerms + 1, kPose + kTerms + 1>;  ///< of [J r]' [J r]
+  using Row = Eigen::Matrix<double, kPose + kTerms + 1, 1>;
+  static double sq(double x) { return x * x; }
+
+  /// Adds what a frame says of the bias, whatever the pose.
+  void add(const Sums& sums, const DepthBias& taken);
+
+  Information information_ = Information::Zero();  ///< of the coefficients, of all frames
+  Terms weighted_ = Terms::Zero();                 ///< that, times what each frame said
+};
+
+DOT_END_NAMESPACE
+
+#ifndef DOT_USES_COMPILED_PIPELINE
+#include "dot/camera_motion/impl/bias_learning.hpp"
+#endif

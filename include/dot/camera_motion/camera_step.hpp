@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dot/align/aligner.hpp"
+#include "dot/camera_motion/status.hpp"
+#include "dot/lie/se3.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// The camera's motion from the previous frame to the current one.
+struct CameraStep {
+  CameraStatus status = CameraStatus::FirstFrame;
+  double seconds = 0;                                    ///< since the previous frame; 0: there is none
+  SE3d T_cur_prev;                                       ///< T_c of the paper
+  Matrix6<double> covariance = Matrix6<double>::Zero();  ///< of the left twist of T_cur_prev
+  Alignment alignment;                                   ///< of the background, if there was one
+
+  /// Whether it was measured, not guessed.
+  bool known() const { return status == CameraStatus::Tracked || status == CameraStatus::FromHost; }
+};
+
+/// The camera's motion since a past frame, `ref`: several steps composed. `now` is the frame that the last one led to.
+struct CameraSince {
+  SE3d T_now_ref;
+  Matrix6<double> covariance = Matrix6<double>::Zero();  ///< of its left twist
+  double gain = 1, offset = 0;                           ///< I_now = gain I_ref + offset
+  int intervals = 0;                                     ///< steps
+
+  /// One step more.
+  CameraSince after(const SE3d& T_cur_prev, const Matrix6<double>& step_covariance, double step_gain,
+                    double step_offset) const;
+  CameraSince after(const CameraStep& step) const {
+    return after(step.T_cur_prev, step.covariance, step.alignment.state.gain, step.alignment.state.offset);
+  }
+};
+
+DOT_END_NAMESPACE
+
+#ifndef DOT_USES_COMPILED_PIPELINE
+#include "dot/camera_motion/impl/camera_step.hpp"
+#endif

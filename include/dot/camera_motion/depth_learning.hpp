@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "dot/camera/concept.hpp"
+#include "dot/camera/depth_bias.hpp"
+#include "dot/camera/depth_noise.hpp"
+#include "dot/containers/recycling_list.hpp"
+#include "dot/image/image.hpp"
+#include "dot/lie/se3.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Learns the size of the depth noise from the background, which stands still.
+///
+/// Patches of about the size of a car are cut from the background of each frame. Seen again, a patch's inverse depth
+/// differs from what the camera motion predicts: the median difference of a patch is an error that its pixels share,
+/// the scatter about it that of single pixels. Over the patches the shared errors have heavier tails than a normal, so
+/// their sigma is that of the 85 % quantile; smoothed over time, they scale the priors of DepthNoise: against the
+/// previous frame `change`, against one about 0.4 s back `common`. A standing camera sees the same errors again and
+/// learns nothing: the image must have moved by kMinMotion pixels.
+struct DepthLearning {
+  static constexpr int kWidth = 40, kHeight = 30, kStep = 4;  ///< pixels: patch and sampling
+  static constexpr int kMinSamples = 40;                      ///< of the 80 of a patch
+  static constexpr int kPatches = 180;                        ///< of a frame that are enough
+  static constexpr double kMinMotion = 1.5;                   ///< pixels, median over the samples
+
+  /// Sampled patches of a frame.
+  struct Patches {
+    std::vector<float> x, y, q;           ///< ray and inverse depth of each sample
+    std::vector<int> begin;               ///< first sample of each patch, and the end
+    std::vector<DepthBias::Terms> place;  ///< of each patch's middle
+    DepthBias bias;                       ///< that was taken from q
+    double timestamp = 0;
+    SE3d T_cur_ref;
+  };
+
+  /// One scale, from what up to kFrames frames say of it. Their median: where something passes by, a frame is far off.
+  struct Scale {
+    static constexpr std::size_t kFrames = 20;
+    std::vector<float> said;
+    std::size_t next = 0;
+
+    void clear() noexcept {
+      said.clear();
+      next = 0;
+    }
+    void add(float v) {
+      if (said.size() < kFrames)
+        said.push_back(v);
+      else
+        said[next] = v;
+      next = (next + 1) % kFrames;
+    }
+    double value() const {
+      std::array<float, kFrames> v;
+      std::copy(said.begin(), said.end(), v.begin());
+      return static_cast<double>(median(v.data(), said.size()));
+    }
+    /// Blended with the prior 1 as if that were one frame, and a quarter for what a median hides.
+    double blended() const {
+      if (said.empty()) return 1;
+      const double n = static_cast<double>(said.size()), v = value();
+      return 1.25 * std::sqrt((n * v * v + 1) / (n + 1));
+    }
+  };
+
+  double reference_seconds = 0.4;
+  RecyclingList<Patches> history;  ///< newest first
+  Scale change, common, pixel;
+
+  /// Drops what was seen, keeps what was learnt.
+  void clear() noexcept { history.clear(); }
+  /// Drops both.
+  void forget() noexcept {
+    clear();
+    change.clear(), common.clear(), pixel.clear();
+    first_ = 0;
+  }
+
+  /// Cuts the frame's background. `background` is zero where objects are.
+  /// @param bias that was taken from the depth: it may be known better when the frame is compared.
+  template <typename Camera>
+  void remember(const Camera& camera, const Image<float>& inverse_depth, const Image<std::uint8_t>& background,
+                double timestamp, const DepthBias& bias = {}) {
+    thin_newest(history, reference_seconds);
+    Patches& p = history.push_front();
+    p.x.clear(), p.y.clear(), p.q.clear(), p.begin.clear(), p.place.clear();
+    p.timestamp = timestamp;
+    p.bias = bias;
+    p.T_cur_ref = {};
+    const int columns = inverse_depth.width() / kWidth, rows = inverse_depth.height() / kHeight;
+    const int every = std::max(1, columns * rows / kPatches);
+    first_ = (first_ + 1) % every;  // others in each frame
+    for (int row = 0; row < rows; ++row)
+      for (int column = (row + first_) % every; column < columns; column += every) {
+        const int x0 = column * kWidth, y0 = row * kHeight;
+        const std::size_t begin = p.q.size();
+        for (int y = y0 + kStep / 2; y < y0 + kHeight; y += kStep)
+          for (int x = x0 + kStep / 2; x < x0 + kWidth; x += kStep) {
+            const float q = inverse_depth(x, y);
+            if (q <= 0 || !background(x, y)) continue;
+            const Vector3<float> ray =
+                camera.template unproject<float>(Vector2<float>(static_cast<float>(x), static_cast<float>(y)));
+            p.x.push_back(ray.x()), p.y.push_back(ray.y()), p.q.push_back(q);
+          }
+        if (p.q.size() - begin >= kMinSamples) {
+          p.begin.push_back(static_cast<int>(begin));
+          p.place.push_back(DepthBias::terms((2.0 * x0 + kWidth) / inverse_depth.width() - 1,
+                                             (2.0 * y0 + kHeight) / inverse_depth.height() - 1));
+        } else {
+          p.x.resize(begin), p.y.resize(begin), p.q.resize(begin);
+        }
+      }
+    p.begin.push_back(static_cast<int>(p.q.size()));
+    while (history.size() > 1 && timestamp - history.back().timestamp > reference_seconds + 1e-6) history.pop_back();
+  }
+
+  /// Compares the new frame with the newest and the oldest remembered one, and scales `noise`.
+  /// @param bias that was taken from the depth.
+  template <typename Camera>
+  void learn(const Camera& camera, const SE3d& T_cur_prev, const Image<float>& inverse_depth, double timestamp,
+             DepthNoise& noise, const DepthBias& bias = {}) {
+    for (Patches& p : history) p.T_cur_ref = T_cur_prev * p.T_cur_ref;
+    if (history.empty()) return;
+    compare(camera, history.front(), inverse_depth, noise, bias, change, &pixel);
+    const Patches& oldest = history.back();
+    if (timestamp - oldest.timestamp > 0.5 * reference_seconds)
+      compare(camera, oldest, inverse_depth, noise, bias, common, nullptr);
+    noise.shared_drift_scale = change.blended();
+    noise.shared_scale = common.blended();
+    noise.pixel_scale = pixel.said.empty() ? 1 : std::clamp(pixel.value(), 0.2, 2.0);
+  }
+
+ private:
+  template <typename Camera>
+  void compare(const Camera& camera, const Patches& p, const Image<float>& inverse_depth, const DepthNoise& noise,
+               const DepthBias& bias, Scale& shared, Scale* single) {
+    const Matrix3<float> R = p.T_cur_ref.R.cast<float>();
+    const Vector3<float> t = p.T_cur_ref.t.cast<float>();
+    medians_.clear();
+    scatters_.clear();
+    motion_.clear();
+    const DepthBias::Terms learnt = bias.coefficients - p.bias.coefficients;
+    for (std::size_t k = 0; k + 1 < p.begin.size(); ++k)
+      compare_patch(camera, p, k, static_cast<float>(p.place[k].dot(learnt)), R, t, inverse_depth, noise,
+                    single != nullptr);
+    if (medians_.size() < 5 || static_cast<double>(median(motion_.data(), motion_.size())) < kMinMotion) return;
+    shared.add(quantile(medians_.data(), medians_.size(), 0.85) / 1.44f);
+    if (single) single->add(median(scatters_.data(), scatters_.size()));
+  }
+
+  /// What one patch says, if it is seen again and is one surface.
+  /// @param bias of its inverse depths, 1/m, that has become known since. @param scatter whether that of single pixels
+  /// is asked for.
+  template <typename Camera>
+  void compare_patch(const Camera& camera, const Patches& p, std::size_t k, float bias, const Matrix3<float>& R,
+                     const Vector3<float>& t, const Image<float>& inverse_depth, const DepthNoise& noise,
+                     bool scatter) {
+    differences_.clear();
+    float q_min = 1e9f, q_max = 0;
+    Vector3<float> last_ray = Vector3<float>::Zero();
+    Vector2<float> last_position = Vector2<float>::Zero();
+    for (auto i = static_cast<std::size_t>(p.begin[k]); i < static_cast<std::size_t>(p.begin[k + 1]); ++i) {
+      const float q = p.q[i] - bias;
+      const Vector3<float> ray(p.x[i], p.y[i], 1), X = R * ray + q * t;
+      if (X.z() < 1e-3f) continue;
+      const Vector2<float> position = camera.template project<float>(X);
+      // The nearest pixel; half a pixel beyond the outermost still has one.
+      const float x = position.x() + 0.5f, y = position.y() + 0.5f;
+      if (!(x >= 0 && y >= 0 && x < static_cast<float>(inverse_depth.width()) &&
+            y < static_cast<float>(inverse_depth.height())))
+        continue;
+      const float measured = inverse_depth(static_cast<int>(x), static_cast<int>(y));
+      if (measured <= 0) continue;
+      const float predicted = q / X.z();
+      differences_.push_back(measured - predicted);
+      last_ray = ray, last_position = position;
+      q_min = std::min(q_min, predicted);
+      q_max = std::max(q_max, predicted);
+    }
+    if (static_cast<int>(differences_.size()) < kMinSamples) return;
+    const double middle = 0.5 * static_cast<double>(q_min + q_max);
+    const double other_surface = 7 * noise.prior_pixel_sigma(middle);
+    const double relief = std::max(other_surface, 0.3 * middle);
+    if (static_cast<double>(q_max - q_min) > relief) return;  // more than one surface
+    const float m = median(differences_.data(), differences_.size());
+    if (static_cast<double>(std::abs(m)) > other_surface) return;  // something nearer hides it now
+    motion_.push_back((last_position - camera.template project<float>(last_ray)).norm());
+    medians_.push_back(static_cast<float>(std::abs(m) / noise.prior_shared_sigma(middle)));
+    if (!scatter) return;
+    for (float& d : differences_) d = std::abs(d - m);
+    scatters_.push_back(
+        static_cast<float>(1.4826 * static_cast<double>(median(differences_.data(), differences_.size())) /
+                           std::sqrt(2.0) / noise.prior_pixel_sigma(middle)));
+  }
+
+  static float quantile(float* values, std::size_t size, double share) {
+    float* const k = values + static_cast<std::ptrdiff_t>(share * static_cast<double>(size - 1));
+    std::nth_element(values, k, values + size);
+    return *k;
+  }
+  static float median(float* values, std::size_t size) { return quantile(values, size, 0.5); }
+
+  int first_ = 0;  ///< patch of the first row
+  std::vector<float> differences_, medians_, scatters_, motion_;
+};
+
+DOT_END_NAMESPACE

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+
+#include "dot/align/aligner.hpp"
+#include "dot/align/minima.hpp"
+#include "dot/align/settings.hpp"
+#include "dot/camera_motion/search.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Camera motion T_c (paper, section 3.3) that traffic does not capture.
+///
+/// The contours of cast shadows lie on the road, outside every mask, with correct depth, and move with their cars; near
+/// asphalt has little else. Under Huber's cost the motion that follows them can be the lower minimum. So several
+/// starts are refined, each a candidate, and the one of least *redescending* cost is taken, all judged with the same
+/// residual scale and by the points that both see (PointCosts): coarse to fine from constant velocity and, before that,
+/// from what the host expects; the same on fine levels only; standing still; and shifts of those along the direction
+/// that the points determine least. On fine levels only the points that fit a start refine it: where the truth is,
+/// Huber's cost may have no minimum at all.
+///
+/// Without a velocity to start from, the lowest minimum found may be one of many: on an even road standing still, or a
+/// dash of its markings further, looks nearly as right as the truth. `accepts` then asks for a better correlation, and
+/// that no other motion explains the image about as well.
+struct CameraMotionEstimator {
+  CameraSettings settings;
+
+  /// @param predicted T_c, the most trusted first, at least one. @param search for others where nothing is known of the
+  /// motion, or null. @return the alignment; `covariance` is that of the left twist of T_c, `margin` that over the next
+  /// best minimum.
+  template <typename Camera, typename Aligner>
+  Alignment estimate(const PointSet& points, const Pyramid& image, const Camera& camera,
+                     const std::vector<SE3d>& predicted, const CameraSearch* search, Aligner& aligner,
+                     MinimaWorkspace& workspace) const {
+    const AlignProblem<Camera> problem{points, image, camera};
+    const int top = std::min(points.levels, image.size()) - 1, fine = std::min(1, top);
+    // On the fine level but one, minima are told apart; the finest is for those that remain.
+    Minima& minima = workspace.minima;
+    minima.found.clear();
+    const double depth = median_depth(points, workspace.depths);
+    std::vector<AlignState>& starts = workspace.starts;
+    const auto add = [&](const AlignState& start, int coarsest) {
+      const Alignment a = aligner.align(problem, start, coarsest, fine);
+      minima.add(problem, a);
+      return a.state;
+    };
+    const auto add_near = [&](const AlignState& start) {
+      minima.add(problem, aligner.align_near(problem, start, fine));
+    };
+    AlignState first;
+    for (std::size_t i = 0; i < predicted.size(); ++i) {
+      const AlignState found = add({predicted[i]}, top);
+      if (i == 0) first = found;
+      add_near({predicted[i], found.gain, found.offset});
+    }
+    if (predicted.back().log().norm() > 1e-3) add({SE3d{}, first.gain, first.offset}, top);
+    workspace.few.take_every(std::max(1, points.size() / (search ? kSearched : kRanked)), points);
+    const AlignProblem<Camera> few{workspace.few, image, camera};
+    if (search) {
+      const int level = CameraSearch::level_of(top + 1);
+      search->find(few, depth, aligner.intensity_sigma(problem, first, level), aligner, workspace);
+      const auto add_few = [&](const AlignState& start, int coarsest) {
+        minima.add(problem, aligner.align(few, start, coarsest, fine));
+      };
+      for (const AlignState& start : starts) add_few(start, level);
+      for (const AlignState& start : workspace.near) {
+        add_few(start, level);
+        add_few(start, fine);  // where what a coarse level shows is moving shadows, that leads away
+      }
+    }
+
+    // Few points may agree by chance, and better than any others; without contrast or far off, all may agree.
+    const auto far_off = [&](const SE3d& T) {
+      return std::none_of(predicted.begin(), predicted.end(),
+                          [&](const SE3d& other) { return search->reaches(T * other.inverse()); });
+    };
+    int enough = search ? std::min(settings.min_points, kEnoughRanked) : settings.min_points;
+    const auto tells_nothing = [&](const Alignment& a) {
+      return a.seen < enough || a.state.gain < kMinGain || (search && far_off(a.state.T));
+    };
+    minima.drop_if(tells_nothing);
+    double sigma = std::numeric_limits<double>::infinity();
+    for (const Alignment& a : minima.found) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, fine));
+    if (search) {
+      keep_best(few, fine, sigma, aligner, workspace);
+      for (Alignment& a : minima.found) a = aligner.align(problem, a.state, fine, fine);
+    }
+    const std::size_t unshifted = minima.found.size();
+    for (std::size_t i = 0; i < unshifted; ++i) {
+      shifted(few, minima.found[i], fine, sigma, depth, aligner, workspace);
+      for (const AlignState& start : starts) add_near(start);
+    }
+    enough = settings.min_points;
+    minima.drop_if(tells_nothing);
+    std::vector<Alignment>& candidates = minima.found;
+    if (fine > 0)
+      for (Alignment& a : candidates) a = aligner.align_near(problem, a.state, 0);
+    return best(problem, candidates, aligner, workspace);
+  }
+
+  /// Whether to believe what `estimate` found.
+  bool accepts(const Alignment& a, bool known) const {
+    return has_covariance(a) && a.state.T.t.allFinite() && a.seen >= settings.min_points &&
+           a.inliers >= settings.min_inliers * a.seen &&
+           (known ? a.phi >= settings.min_phi
+                  : a.phi >= settings.min_phi_unexpected && a.margin >= settings.min_margin);
+  }
+
+ private:
+  static constexpr double kMinGain = 0.2;         ///< of the exposure between two frames
+  static constexpr std::size_t kCompared = 8;     ///< minima whose neighbours are looked at
+  static constexpr int kRanked = 500;             ///< points by which many places are ranked, at least
+  static constexpr int kSearched = 800;           ///< likewise of a search
+  static constexpr int kEnoughRanked = 100;       ///< of these that a minimum must see, or min_points, if fewer
+  static constexpr int kStepsAhead = 16;          ///< of the shifts, to either side: 5 cm on a road
+  static constexpr int kSteps = 6;                ///< where rotation follows
+  static constexpr double kHopeless = 1.5;        ///< times the cost of where a shift begins
+  static constexpr double kAnotherMinimum = 5.0;  ///< pixels between the points' places at this one and at another
+
+  /// Sets the starts to those that may lead to other minima: shifts along the optical axis, on which the near ground
+  /// looks alike in small steps, and along the least determined direction with rotation, gain and offset following as
+  /// the covariance says; the two best of those that fit better than their neighbours. Where the cost only rises, there
+  /// is none.
+  template <typename Camera, typename Aligner>
+  void shifted(const AlignProblem<Camera>& problem, const Alignment& a, int level, double sigma, double depth,
+               Aligner& aligner, MinimaWorkspace& workspace) const {
+    std::vector<AlignState>& starts = workspace.starts;
+    starts.clear();
+    const Matrix3<double> C = a.covariance.topLeftCorner<3, 3>();
+    const Eigen::SelfAdjointEigenSolver<Matrix3<double>> eigen(C);
+    const Vector3<double> direction = eigen.eigenvectors().col(2);
+    const Vector8 follow = a.covariance.leftCols<3>() * C.ldlt().solve(direction);
+    Vector8 ahead = Vector8::Zero(), alone = Vector8::Zero();
+    ahead[2] = 1;
+    alone.head<3>() = direction;
+    if (!follow.allFinite()) return;
+    const double reach = std::min(settings.multistart_shift, 0.1 * depth);
+    const double middle = aligner.tukey_cost(problem, a.state, level, sigma);
+    auto& found = workspace.tried;
+    found.clear();
+    const auto along = [&](const Vector8& x, int steps) {
+      const auto start = [&](int i) {
+        const Vector8 shift = reach * i / steps * x;
+        return AlignState{SE3d::exp(shift.head<6>()) * a.state.T, a.state.gain + shift[6], a.state.offset + shift[7]};
+      };
+      find_minima(
+          steps, [&](int i) { return i == 0 ? middle : aligner.tukey_cost(problem, start(i), level, sigma); },
+          [&](double cost, int i) {
+            if (i != 0 && cost < kHopeless * middle) found.push_back({cost, start(i)});
+          });
+    };
+    along(ahead, kStepsAhead);
+    along(alone, kSteps);
+    along(follow, kSteps);
+    keep_cheapest(found, 2);
+    for (const auto& place : found) starts.push_back(place.second);
+  }
+
+  static double median_depth(const PointSet& points, std::vector<float>& q) {
+    q = points.q;
+    if (q.empty()) return 0;
+    const auto middle = q.begin() + static_cast<std::ptrdiff_t>(q.size() / 2);
+    std::nth_element(q.begin(), middle, q.end());
+    return 1 / static_cast<double>(*middle);
+  }
+
+  /// Drops minima that are not among the best, of a level.
+  template <typename Camera, typename Aligner>
+  void keep_best(const AlignProblem<Camera>& problem, int level, double sigma, Aligner& aligner,
+                 MinimaWorkspace& workspace) const {
+    std::vector<Alignment>&found = workspace.minima.found, &kept = workspace.kept;
+    PointCosts& costs = workspace.costs;
+    costs.clear();
+    for (const Alignment& a : found) costs.add(problem, a.state, level, sigma, aligner);
+    kept.clear();
+    while (kept.size() < std::min(found.size(), kCompared)) {
+      const std::size_t next = costs.best(0);
+      kept.push_back(found[next]);
+      costs.remove(next);
+    }
+    std::swap(kept, found);
+  }
+
+  /// A later candidate must win by a margin: equal minima should not alternate.
+  template <typename Camera, typename Aligner>
+  Alignment best(const AlignProblem<Camera>& problem, std::vector<Alignment>& candidates, Aligner& aligner,
+                 MinimaWorkspace& workspace) const {
+    if (candidates.size() == 1) {
+      aligner.reject_outliers_and_refit(problem, candidates[0], true);
+      return candidates[0];
+    }
+    double sigma = std::numeric_limits<double>::infinity();
+    for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
+    PointCosts& costs = workspace.costs;
+    costs.clear();
+    for (const Alignment& a : candidates) costs.add(problem, a.state, 0, sigma, aligner);
+    const std::size_t chosen = costs.best(settings.multistart_margin);
+    Alignment& a = candidates[chosen];
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (pose_distance(problem.points, problem.camera, candidates[i].state.T, a.state.T) > kAnotherMinimum)
+        a.margin = std::min(a.margin, std::max(0.0, costs.ratio(i, chosen) - 1));
+    aligner.reject_outliers_and_refit(problem, a);
+    return a;
+  }
+};
+
+DOT_END_NAMESPACE

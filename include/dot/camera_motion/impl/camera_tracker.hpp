@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+DOT_BEGIN_NAMESPACE
+
+template <typename Camera, typename Noise, typename Aligner>
+CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, const FrameData& cur, double seconds,
+                                                        const HostMotion& host, const Camera& camera,
+                                                        const CameraMotionEstimator& estimator, Aligner& aligner,
+                                                        MinimaWorkspace& workspace) {
+  CameraStep step;
+  step.seconds = seconds;
+  background_.points.subtract_bias(cur.bias, camera.width(), camera.height());
+  if (seconds <= 0) {
+    velocity_known_ = false;
+    return step;
+  }
+  predict(host, seconds);
+  step.T_cur_prev = starts_.front();
+  if (host.motion)
+    take_host_motion(*host.motion, cur, camera, aligner, step);
+  else if (background_.points.size() < estimator.settings.min_points)
+    step.status = CameraStatus::TooLittleDepth;
+  else
+    estimate(prev, cur, host.prior.has_value(), camera, estimator, aligner, workspace, step);
+
+  velocity_known_ = step.known();
+  if (!step.known()) {
+    step.covariance = covariance_of_guess(estimator.settings, seconds);
+  } else if (step.status == CameraStatus::Tracked && background_.guessed) {
+    // The previous frame's place was a guess, and only the way since the frame before that is known well.
+    const Matrix6<double> Ad = step.T_cur_prev.adjoint();
+    step.covariance += Ad * background_.guess_covariance * Ad.transpose();
+    velocity_ = step.alignment.state.T.log() / (background_.seconds + seconds);
+  } else {
+    velocity_ = step.T_cur_prev.log() / seconds;
+  }
+  return step;
+}
+
+template <typename Camera, typename Noise, typename Aligner>
+void CameraTracker<Camera, Noise, Aligner>::predict(const HostMotion& host, double seconds) {
+  starts_.clear();
+  if (host.prior) starts_.push_back(SE3d::from_row_major(*host.prior).normalized());
+  starts_.push_back(SE3d::exp(velocity_ * seconds));
+}
+
+template <typename Camera, typename Noise, typename Aligner>
+void CameraTracker<Camera, Noise, Aligner>::take_host_motion(const CameraMotion& motion, const FrameData& cur,
+                                                             const Camera& camera, Aligner& aligner,
+                                                             CameraStep& step) const {
+  step.status = CameraStatus::FromHost;
+  step.T_cur_prev = SE3d::from_row_major(motion.T_cur_prev).normalized();
+  const Eigen::Map<const Matrix6<double>, Eigen::Unaligned> covariance(motion.covariance.data());
+  step.covariance = 0.5 * (covariance + covariance.transpose());
+  const AlignProblem<Camera> problem{background_.points, cur.pyramid, camera};
+  step.alignment.state = aligner.photometry(problem, step.T_cur_prev * background_.T_now_points);
+  step.alignment.sigma_intensity = aligner.intensity_sigma(problem, step.alignment.state, 0);
+}
+
+/// @param expected the host gave a start.
+template <typename Camera, typename Noise, typename Aligner>
+void CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const FrameData& cur, bool expected,
+                                                     const Camera& camera, const CameraMotionEstimator& estimator,
+                                                     Aligner& aligner, MinimaWorkspace& workspace, CameraStep& step) {
+  const SE3d& T_prev_points = background_.T_now_points;
+  for (SE3d& T : starts_) T = T * T_prev_points;
+  const CameraSettings& s = estimator.settings;
+  const auto align = [&](const CameraSearch* search) {
+    step.alignment = estimator.estimate(background_.points, cur.pyramid, camera, starts_, search, aligner, workspace);
+  };
+  const CameraSearch search{s.search_speed * step.seconds, s.search_turn * step.seconds, prev->pyramid, T_prev_points};
+  align(velocity_known_ ? nullptr : &search);
+  bool ok = estimator.accepts(step.alignment, velocity_known_ || expected);
+  if (!ok && velocity_known_) {  // it moved otherwise than before
+    align(&search);
+    ok = estimator.accepts(step.alignment, false);
+  }
+  step.status = ok ? CameraStatus::Tracked : CameraStatus::Lost;
+  if (!ok) return;
+  step.T_cur_prev = step.alignment.state.T * T_prev_points.inverse();
+  step.covariance = s.covariance_scale * step.alignment.covariance.template topLeftCorner<6, 6>();
+}
+
+/// Of a motion of which nothing is known but its limits: uniform within what a search would look at.
+template <typename Camera, typename Noise, typename Aligner>
+Matrix6<double> CameraTracker<Camera, Noise, Aligner>::covariance_of_guess(const CameraSettings& settings,
+                                                                           double seconds) {
+  const double metres = settings.search_speed * seconds, radians = settings.search_turn * seconds;
+  Matrix6<double> covariance = Matrix6<double>::Zero();
+  covariance.diagonal() << Vector3<double>::Constant(metres * metres / 3),
+      Vector3<double>::Constant(radians * radians / 3);
+  return covariance;
+}
+
+template <typename Camera, typename Noise, typename Aligner>
+void CameraTracker<Camera, Noise, Aligner>::learn_depth(const FrameData& cur, const CameraStep& step,
+                                                        const Camera& camera, const AlignSettings& settings,
+                                                        int min_points, Noise& noise) {
+  if constexpr (std::is_same_v<Noise, DepthNoise>) {
+    if (step.seconds <= 0) return;
+    if (!step.known() || background_.guessed)
+      depth_learning_.clear();
+    else
+      depth_learning_.learn(camera, step.T_cur_prev, cur.inverse_depth(), cur.timestamp, noise, cur.bias);
+    if (!step.known()) return;
+    const DepthNoiseSettings& s = noise.settings;
+    bias_learning_.prior = s.source == DepthSource::Stereo ? s.stereo_bias_px / noise.focal_baseline : 0;
+    if (background_.points.size() >= min_points)
+      bias_learning_.learn(background_.points, cur.pyramid.levels[0], camera, step.alignment, settings, step.seconds);
+  }
+}
+
+template <typename Camera, typename Noise, typename Aligner>
+bool CameraTracker<Camera, Noise, Aligner>::take_background(const FrameData& cur, const CameraStep& step,
+                                                            const Image<std::uint8_t>& labels,
+                                                            const Selector<Camera, Noise>& select, int min_points) {
+  // What no object covers, with a margin for ragged outlines.
+  const int width = labels.width(), height = labels.height();
+  mask_.resize(width, height);
+  for (int y = 0; y < height; ++y) {
+    const std::uint8_t* label = labels.row(y);
+    std::uint8_t* out = mask_.row(y);
+    for (int x = 0; x < width; ++x) out[x] = label[x] ? 0 : 255;
+  }
+  erode<4>(std::as_const(mask_).view(), mask_rows_, mask_.view());
+  if constexpr (std::is_same_v<Noise, DepthNoise>)
+    depth_learning_.remember(select.camera, cur.inverse_depth(), mask_, cur.timestamp, cur.bias);
+  fresh_.clear();
+  const SelectionSettings& s = select.settings;
+  select({{0, 0, width, height},
+          mask_.view(),
+          cur.inverse_depth().view(),
+          s.background_points,
+          s.window_radius,
+          s.min_gradient},
+         fresh_);
+  const bool enough = fresh_.size() >= min_points;
+  if (enough) {
+    select.sample_intensities(fresh_);
+    background_.replace(fresh_, cur.bias);
+  } else {
+    background_.carry(step);
+  }
+  return enough;
+}
+
+DOT_END_NAMESPACE

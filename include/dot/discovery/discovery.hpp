@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "dot/camera/depth_noise.hpp"
+#include "dot/containers/recycling_list.hpp"
+#include "dot/discovery/inconsistency.hpp"
+#include "dot/discovery/region_grower.hpp"
+#include "dot/discovery/region_painter.hpp"
+#include "dot/discovery/supporting_planes.hpp"
+#include "dot/image/depth_pyramid.hpp"
+#include "dot/image/morphology.hpp"
+#include "dot/image/pyramid.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Finds what moves in the background: regions that contradict a standing scene in two frames running, off the planes
+/// that everything stands on. What they are and whether they really move, their tracks must show.
+template <typename Camera, typename Noise>
+class Discovery {
+ public:
+  static constexpr int kLevel = 2;  ///< of the pyramid whose pixels are the cells
+
+  /// What explains a pixel, for `find`. Other values than these number the things that were found before and move.
+  static constexpr std::uint8_t kNothing = 0;     ///< background
+  static constexpr std::uint8_t kStanding = 254;  ///< was found before and stands
+  static constexpr std::uint8_t kCovered = 255;   ///< a mask of the network
+
+  double reference_seconds = 0.4;
+  std::vector<Mask> masks;  ///< of the regions of this frame
+
+  /// The depth noise for what no mask shows. Unknown movers teach it too, as background, and must not hide themselves.
+  static Noise bounded(Noise noise) {
+    constexpr double kMaxLearntScale = 3;  // of the noise that is shared, over its prior
+    if constexpr (std::is_same_v<Noise, DepthNoise>) {
+      noise.shared_scale = std::min(noise.shared_scale, kMaxLearntScale);
+      noise.shared_drift_scale = std::min(noise.shared_drift_scale, kMaxLearntScale);
+    }
+    return noise;
+  }
+
+  void clear() noexcept {
+    history_.clear();
+    seen_.resize(0, 0);
+    planes_.clear();
+  }
+
+  /// The camera's motion over the last interval, before `find`.
+  /// @param covariance of the left twist of T_cur_prev.
+  void advance(const SE3d& T_cur_prev, const Matrix6<double>& covariance, double gain, double offset) {
+    for (Reference& r : history_) {
+      CellMotion& m = r.motion;
+      m.T_cur_ref = T_cur_prev * m.T_cur_ref;
+      m.translation_sigma =
+          std::sqrt(m.translation_sigma * m.translation_sigma + covariance.diagonal().head<3>().sum());
+      m.gain *= gain;
+      m.offset = gain * m.offset + offset;
+    }
+  }
+
+  /// Fills `masks`. @param known what explains each pixel, see above. @param timestamp seconds.
+  void find(const Camera& camera, const Noise& noise, const Pyramid& image, const DepthPyramid& depth,
+            const Image<std::uint8_t>& known, double timestamp) {
+    masks.clear();
+    level_ = std::min(kLevel, image.size() - 1);
+    const std::size_t level = static_cast<std::size_t>(level_);
+    current_.build(image.levels[level], depth.levels[level]);
+    const Image<float>& q = current_.q;
+    inconsistency_.clear(q.width(), q.height());
+    if (history_.empty()) return;
+    const Camera cells = camera.at_level(level_);
+    compare(cells, noise, timestamp);
+    read(known);
+
+    const auto sigma = [&](float value) { return noise.pixel_sigma(value); };
+    planes_.find(q, cells.intrinsics(), sigma,
+                 [&](int x, int y) { return !covered_(x, y) && inconsistency_.depth(x, y) < RegionGrower::kSeed; });
+    grower_(q, inconsistency_, followed_, sigma, [&](int x, int y) {
+      return !covered_(x, y) && !planes_.hold(x, y, q(x, y), static_cast<float>(noise.pixel_sigma(q(x, y))));
+    });
+    for (const std::vector<int>& region : grower_.regions) {
+      if (!lasts(region)) continue;
+      masks.emplace_back();
+      painter_(region, q, depth.levels[0], 1 << level_, sigma, masks.back());
+      if (masks.back().empty()) masks.pop_back();
+    }
+    see(q.width(), q.height());
+  }
+
+  /// Share of a mask's cells that contradict a standing scene in this frame.
+  double support(const Mask& mask) const {
+    const int cell = 1 << level_, half = cell / 2;
+    int count = 0, contradicting = 0;
+    for (int y = mask.y / cell; y * cell + half < mask.y + mask.height(); ++y)
+      for (int x = mask.x / cell; x * cell + half < mask.x + mask.width(); ++x) {
+        if (!mask.at(x * cell + half, y * cell + half) || !inconsistency_.depth.contains(x, y)) continue;
+        ++count;
+        contradicting += RegionGrower::contradicts(inconsistency_, y * inconsistency_.depth.width() + x);
+      }
+    return count > 0 ? static_cast<double>(contradicting) / count : 0;
+  }
+
+  /// Keeps the frame of the last `find` as a reference. @param ids of the tracks shown, 0 = background.
+  void remember(const Image<std::uint32_t>& ids, double timestamp) {
+    while (!history_.empty() && timestamp - history_.back().timestamp > reference_seconds + 1e-6) history_.pop_back();
+    thin_newest(history_, reference_seconds);
+    Reference& r = history_.push_front();
+    r.motion = {};
+    r.timestamp = timestamp;
+    std::swap(r.frame, current_);
+    r.standing = r.frame.q;
+    const int cell = 1 << level_;
+    for (int y = 0; y < r.standing.height(); ++y)
+      for (int x = 0; x < r.standing.width(); ++x)
+        if (ids(x * cell, y * cell) || ids(x * cell + cell - 1, y * cell + cell - 1)) r.standing(x, y) = 0;
+  }
+
+ private:
+  struct Reference {
+    CellFrame frame;
+    Image<float> standing;  ///< inverse depth without what tracks explain
+    CellMotion motion;
+    double timestamp = 0;
+  };
+
+  /// Against the newest reference, one between, and the oldest.
+  void compare(const Camera& cells, const Noise& noise, double timestamp) {
+    test_.prepare(cells);
+    const std::size_t n = history_.size();
+    std::size_t last = n;
+    for (const std::size_t k : {std::size_t{0}, n / 2, n - 1}) {
+      if (k == last) continue;
+      last = k;
+      Reference& r = history_[k];
+      r.motion.adjacent = k == 0;
+      r.motion.seconds = timestamp - r.timestamp;
+      test_(cells, noise, current_, r.frame, r.standing, r.motion, inconsistency_);
+    }
+  }
+
+  /// From pixels to cells: covered with a margin of one where any pixel is; followed where all pixels have one number.
+  void read(const Image<std::uint8_t>& known) {
+    covered_.resize(current_.q.width(), current_.q.height());
+    followed_.resize(current_.q.width(), current_.q.height());
+    const int cell = 1 << level_;
+    for (int y = 0; y < covered_.height(); ++y)
+      for (int x = 0; x < covered_.width(); ++x) {
+        bool any = false, same = true;
+        const std::uint8_t first = known(x * cell, y * cell);
+        for (int v = y * cell; v < (y + 1) * cell; ++v)
+          for (int u = x * cell; u < (x + 1) * cell; ++u) {
+            any |= known(u, v) == kCovered;
+            same &= known(u, v) == first;
+          }
+        covered_(x, y) = any ? 255 : 0;
+        followed_(x, y) = same ? first : kNothing;
+      }
+    dilate<1>(std::as_const(covered_).view(), rows_, covered_.view());
+    for (int y = 0; y < covered_.height(); ++y)
+      for (int x = 0; x < covered_.width(); ++x) {
+        if (followed_(x, y) == kStanding) covered_(x, y) = 255;
+        if (covered_(x, y)) followed_(x, y) = kNothing;
+      }
+  }
+
+  /// Whether a region was there in the frame before.
+  bool lasts(const std::vector<int>& region) const {
+    if (seen_.empty()) return false;
+    int common = 0;
+    for (const int i : region) common += seen_.row(0)[i] != 0;
+    return 4 * common >= static_cast<int>(region.size());
+  }
+
+  void see(int width, int height) {
+    seen_.resize(width, height);
+    seen_.fill(0);
+    for (const std::vector<int>& region : grower_.regions)
+      for (const int i : region) seen_.row(0)[i] = 255;
+    dilate<2>(std::as_const(seen_).view(), rows_, seen_.view());
+  }
+
+  int level_ = 0;
+  CellFrame current_;
+  RecyclingList<Reference> history_;  ///< newest first
+  InconsistencyTest<Camera, Noise> test_;
+  Inconsistency inconsistency_;
+  SupportingPlanes planes_;
+  RegionGrower grower_;
+  RegionPainter painter_;
+  Image<std::uint8_t> rows_;                       ///< scratch
+  Image<std::uint8_t> covered_, followed_, seen_;  ///< cells; `seen_`: regions of the last frame, with a margin
+};
+
+DOT_END_NAMESPACE

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "dot/camera/concept.hpp"
+#include "dot/image/image.hpp"
+#include "dot/lie/se3.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// A frame as the test for inconsistency sees it: the pixels ("cells") of one coarse pyramid level.
+struct CellFrame {
+  Image<std::uint8_t> grey;
+  Image<float> q;         ///< inverse depth, 1/m, 0 = none
+  Image<float> nearest;   ///< largest inverse depth of the 3x3 cells about each, 0 = none
+  Image<float> farthest;  ///< smallest, 0 = none
+
+  void build(const Image<std::uint8_t>& grey_level, const Image<float>& depth_level) {
+    grey = grey_level;
+    q = depth_level;
+    const int w = q.width(), h = q.height();
+    nearest.resize(w, h);
+    farthest.resize(w, h);
+    for (int y = 0; y < h; ++y)
+      for (int x = 0; x < w; ++x) {
+        float largest = 0, smallest = kNone;
+        for (int j = std::max(0, y - 1); j <= std::min(h - 1, y + 1); ++j)
+          for (int i = std::max(0, x - 1); i <= std::min(w - 1, x + 1); ++i) {
+            const float v = q(i, j);
+            largest = std::max(largest, v);
+            smallest = std::min(smallest, v > 0 ? v : kNone);
+          }
+        nearest(x, y) = largest;
+        farthest(x, y) = smallest < kNone ? smallest : 0;
+      }
+  }
+
+ private:
+  static constexpr float kNone = 1e9f;
+};
+
+/// How much each cell of the new frame contradicts a scene that stands still, in sigma; the maximum over the
+/// references.
+struct Inconsistency {
+  Image<float> depth;
+  Image<float> photo;
+  Image<float> receding;  ///< signed, 1/m per second: how fast what the last frame showed there goes away
+
+  void clear(int width, int height) {
+    for (Image<float>* image : {&depth, &photo, &receding}) {
+      image->resize(width, height);
+      image->fill(0);
+    }
+  }
+};
+
+/// What has happened between a reference and the new frame, if everything stands.
+struct CellMotion {
+  SE3d T_cur_ref;
+  double translation_sigma = 0;  ///< metres, of T_cur_ref
+  double gain = 1, offset = 0;   ///< I_cur = gain I_ref + offset
+  double seconds = 0;            ///< between the two
+  bool adjacent = false;         ///< the last interval: of the shared depth error only the change counts
+};
+
+/// Compares a new frame with a reference under the camera's motion alone.
+///
+/// Parallax hides and uncovers standing things, so a difference of depth says nothing by itself. Two findings cannot
+/// come from a standing scene, whatever hides what:
+///
+/// - *entered*: a surface of the new frame lies where the reference looked through to something farther,
+///   q - q_ref > 0, q carried into the reference;
+/// - *left*: the new frame looks through where the reference had a surface, q_ref - q > 0, q_ref carried into the new
+///   frame. What is seen there now may be ground that a passing thing uncovered, or the thing itself a bit farther
+///   away: only cells within `kLeaving` of the old range are counted, and, against an older reference, only those that
+///   have gone at least half of their share of the way in the last interval.
+///
+/// Both are taken against the nearest surface of 3x3 cells, which forgives fattened edges and half a cell of error, and
+/// divided by the sigma of the difference, s^2 = 2 pixel^2 + common^2 + (q^2 sigma_t)^2. Cells on the same surface or
+/// nearer in both frames are compared by intensity, with the residual's robust scale, the gradient times
+/// `kGradientNoise` cells, and the parallax that the depth's noise leaves open.
+template <typename Camera, typename Noise>
+class InconsistencyTest {
+ public:
+  static constexpr float kLeaving = 0.25f;       ///< of the present range
+  static constexpr float kGradientNoise = 0.2f;  ///< cells
+
+  /// @param camera of the cells' level.
+  void prepare(const Camera& camera) {
+    if (x_.width() == camera.width() && x_.height() == camera.height()) return;
+    y_.resize(camera.width(), camera.height());  // x_, which tells that both are ready, comes last
+    x_.resize(camera.width(), camera.height());
+    for (int v = 0; v < camera.height(); ++v)
+      for (int u = 0; u < camera.width(); ++u) {
+        const Vector3<float> ray =
+            camera.template unproject<float>(Vector2<float>(static_cast<float>(u), static_cast<float>(v)));
+        x_(u, v) = ray.x();
+        y_(u, v) = ray.y();
+      }
+  }
+
+  /// Adds what `reference` says of `current`; the last frame first.
+  /// @param standing the reference's inverse depth where nothing was known to move, 0 elsewhere.
+  void operator()(const Camera& camera, const Noise& noise, const CellFrame& current, const CellFrame& reference,
+                  const Image<float>& standing, const CellMotion& motion, Inconsistency& out) {
+    entered(camera, noise, current, reference, motion, out);
+    left(camera, noise, current, standing, motion, out);
+  }
+
+ private:
+  struct Moved {
+    float u, v, q;
+  };
+
+  bool move(const Camera& camera, const SE3f& T, int x, int y, float q, Moved& m) const {
+    const Vector3<float> X = T.R * Vector3<float>(x_(x, y), y_(x, y), 1) + q * T.t;
+    if (!(X.z() > 1e-3f)) return false;
+    const Vector2<float> p = camera.template project<float>(X);
+    if (!(p.x() >= 1 && p.y() >= 1 && p.x() < static_cast<float>(camera.width() - 2) &&
+          p.y() < static_cast<float>(camera.height() - 2)))
+      return false;
+    m = {p.x(), p.y(), q / X.z()};
+    return true;
+  }
+
+  static float sigma(const Noise& noise, float q, const CellMotion& motion) {
+    const double pixel = noise.pixel_sigma(q),
+                 shared = motion.adjacent ? noise.shared_drift_sigma(q) : noise.shared_sigma(q);
+    const double range = static_cast<double>(q) * static_cast<double>(q) * motion.translation_sigma;
+    return static_cast<float>(std::sqrt(2 * pixel * pixel + shared * shared + range * range));
+  }
+
+  void entered(const Camera& camera, const Noise& noise, const CellFrame& current, const CellFrame& reference,
+               const CellMotion& motion, Inconsistency& out) {
+    const SE3f T = motion.T_cur_ref.inverse().template cast<float>();
+    const float gain = static_cast<float>(motion.gain), offset = static_cast<float>(motion.offset);
+    residuals_.clear();
+    for (int y = 1; y + 1 < current.q.height(); ++y)
+      for (int x = 1; x + 1 < current.q.width(); ++x) {
+        const float q = current.q(x, y);
+        Moved m, shifted;
+        if (!(q > 0) || !move(camera, T, x, y, q, m)) continue;
+        const int u = static_cast<int>(m.u + 0.5f), v = static_cast<int>(m.v + 0.5f);
+        const float near = reference.nearest(u, v);
+        if (!(near > 0)) continue;
+        const float s = sigma(noise, m.q, motion), d = (m.q - near) / s;
+        out.depth(x, y) = std::max(out.depth(x, y), d);
+        if (m.q < reference.farthest(u, v) - 2 * s) continue;  // hidden then
+        const float gx = 0.5f * static_cast<float>(current.grey(x + 1, y) - current.grey(x - 1, y));
+        const float gy = 0.5f * static_cast<float>(current.grey(x, y + 1) - current.grey(x, y - 1));
+        const float dq = 1.4f * static_cast<float>(noise.pixel_sigma(q));
+        float parallax = 0;
+        if (move(camera, T, x, y, q + dq, shifted)) parallax = gx * (shifted.u - m.u) + gy * (shifted.v - m.v);
+        const float r = static_cast<float>(current.grey(x, y)) - gain * bilinear(reference.grey, m.u, m.v) - offset;
+        residuals_.push_back(
+            {x, y, r, parallax * parallax + kGradientNoise * kGradientNoise * (gx * gx + gy * gy), std::abs(d) < 2});
+      }
+    const float scale = intensity_scale();
+    for (const Residual& r : residuals_)
+      out.photo(r.x, r.y) = std::max(out.photo(r.x, r.y), std::abs(r.value) / std::sqrt(scale * scale + r.variance));
+  }
+
+  void left(const Camera& camera, const Noise& noise, const CellFrame& current, const Image<float>& standing,
+            const CellMotion& motion, Inconsistency& out) {
+    const SE3f T = motion.T_cur_ref.template cast<float>();
+    for (int y = 0; y < standing.height(); ++y)
+      for (int x = 0; x < standing.width(); ++x) {
+        const float q = standing(x, y);
+        Moved m;
+        if (!(q > 0) || !move(camera, T, x, y, q, m)) continue;
+        const int u0 = static_cast<int>(m.u), v0 = static_cast<int>(m.v);
+        const float d = (m.q - current.nearest(static_cast<int>(m.u + 0.5f), static_cast<int>(m.v + 0.5f))) /
+                        sigma(noise, m.q, motion);
+        for (int v = v0; v <= v0 + 1; ++v)
+          for (int u = u0; u <= u0 + 1; ++u) {
+            const float now = current.q(u, v);
+            if (!(now > 0) || m.q * (1 - kLeaving) > now) continue;
+            const float rate = (m.q - now) / static_cast<float>(motion.seconds);
+            if (motion.adjacent)
+              out.receding(u, v) = std::max(out.receding(u, v), rate);
+            else if (out.receding(u, v) < 0.5f * rate)
+              continue;
+            out.depth(u, v) = std::max(out.depth(u, v), d);
+          }
+      }
+  }
+
+  static float bilinear(const Image<std::uint8_t>& image, float u, float v) {
+    const int x = static_cast<int>(u), y = static_cast<int>(v);
+    const float a = u - static_cast<float>(x), b = v - static_cast<float>(y);
+    const std::uint8_t *p0 = image.row(y) + x, *p1 = image.row(y + 1) + x;
+    return (1 - b) * ((1 - a) * static_cast<float>(p0[0]) + a * static_cast<float>(p0[1])) +
+           b * ((1 - a) * static_cast<float>(p1[0]) + a * static_cast<float>(p1[1]));
+  }
+
+  /// Of the cells whose depth agrees; grey values, at least one.
+  float intensity_scale() {
+    magnitudes_.clear();
+    for (const Residual& r : residuals_)
+      if (r.agrees) magnitudes_.push_back(std::abs(r.value));
+    if (magnitudes_.size() < 20) return 10;
+    const auto middle = magnitudes_.begin() + static_cast<std::ptrdiff_t>(magnitudes_.size() / 2);
+    std::nth_element(magnitudes_.begin(), middle, magnitudes_.end());
+    return std::max(1.f, 1.4826f * *middle);
+  }
+
+  struct Residual {
+    int x, y;
+    float value;     ///< grey values
+    float variance;  ///< beside the intensity's own
+    bool agrees;     ///< in depth
+  };
+  Image<float> x_, y_;  ///< rays of the cells
+  std::vector<Residual> residuals_;
+  std::vector<float> magnitudes_;
+};
+
+DOT_END_NAMESPACE

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "dot/discovery/inconsistency.hpp"
+#include "dot/image/image.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Regions that do not fit a standing scene.
+///
+/// Cells whose depth is inconsistent are seeds. They lie where a moving thing is at odds with the frames before: all of
+/// it when it comes nearer or goes away, its leading part when it crosses. A cluster of seeds therefore grows over
+/// cells of continuous depth, about as far as half its size. A region counts when enough of its cells are inconsistent
+/// in depth or in intensity. A shadow changes intensity alone and gives no seeds.
+class RegionGrower {
+ public:
+  static constexpr float kSeed = 3;            ///< sigma
+  static constexpr float kPhoto = 4;           ///< sigma
+  static constexpr int kMinSeeds = 6;          ///< cells of a cluster
+  static constexpr int kMinCells = 10;         ///< of a region
+  static constexpr double kMinShare = 0.3;     ///< inconsistent cells of a region
+  static constexpr float kContinuous = 0.04f;  ///< relative step of inverse depth from cell to cell
+
+  /// Regions of one frame, the largest clusters first: cells as y * width + x.
+  std::vector<std::vector<int>> regions;
+
+  /// Whether cell i contradicts a standing scene.
+  static bool contradicts(const Inconsistency& evidence, int i) {
+    return evidence.depth.row(0)[i] > kSeed || evidence.photo.row(0)[i] > kPhoto;
+  }
+
+  /// @param q of the cells, 1/m, 0 = none. @param sigma (q) -> standard deviation of q.
+  /// @param open (x, y) -> bool: whether the cell may belong to an unknown object (no mask, not the ground).
+  /// @param followed number of the object that was found before and is expected there, 0 = none: seeds as well.
+  template <typename Sigma, typename Open>
+  void operator()(const Image<float>& q, const Inconsistency& evidence, const Image<std::uint8_t>& followed,
+                  Sigma&& sigma, Open&& open) {
+    width_ = q.width();
+    height_ = q.height();
+    q_ = &q;
+    const std::size_t size = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    state_.assign(size, kClosed);
+    tolerance_.resize(size);
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x) {
+        const float value = q(x, y);
+        if (!(value > 0) || !open(x, y)) continue;
+        const std::size_t i = index(x, y);
+        state_[i] = evidence.depth(x, y) > kSeed || followed(x, y) ? kSeedCell : kOpen;
+        tolerance_[i] = std::max(kContinuous * value, 2.5f * static_cast<float>(sigma(value)));
+      }
+    clusters_.clear();
+    for (std::size_t i = 0; i < size; ++i)
+      if (state_[i] == kSeedCell) {
+        std::vector<int> cluster;
+        state_[i] = kOpen;
+        cluster.push_back(static_cast<int>(i));
+        spread(cluster, 0, 0,
+               [&](std::size_t k) { return state_[k] == kSeedCell ? (state_[k] = kOpen, true) : false; });
+        if (static_cast<int>(cluster.size()) >= kMinSeeds) clusters_.push_back(std::move(cluster));
+      }
+    std::stable_sort(clusters_.begin(), clusters_.end(),
+                     [](const auto& l, const auto& r) { return l.size() > r.size(); });
+    regions.clear();
+    for (std::vector<int>& cluster : clusters_) grow(cluster, evidence, followed);
+    merge(followed);
+  }
+
+ private:
+  enum State : std::uint8_t { kClosed, kOpen, kSeedCell, kTaken };
+
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
+  float q_at(std::size_t i) const { return q_->row(0)[i]; }
+
+  /// Breadth first over cells of continuous depth that `take` accepts, at most `steps` (0: any number) from those from
+  /// `begin` on.
+  template <typename Take>
+  void spread(std::vector<int>& cells, std::size_t begin, int steps, Take&& take) {
+    for (int step = 0; begin < cells.size() && (steps == 0 || step < steps); ++step) {
+      const std::size_t end = cells.size();
+      for (; begin < end; ++begin) {
+        const int x = cells[begin] % width_, y = cells[begin] / width_;
+        const std::size_t from = index(x, y);
+        const auto visit = [&](int u, int v) {
+          if (u < 0 || v < 0 || u >= width_ || v >= height_) return;
+          const std::size_t to = index(u, v);
+          if (std::abs(q_at(to) - q_at(from)) > tolerance_[from] || !take(to)) return;
+          cells.push_back(static_cast<int>(to));
+        };
+        visit(x - 1, y), visit(x + 1, y), visit(x, y - 1), visit(x, y + 1);
+      }
+    }
+  }
+
+  void grow(std::vector<int>& cells, const Inconsistency& evidence, const Image<std::uint8_t>& followed) {
+    cells.erase(
+        std::remove_if(cells.begin(), cells.end(), [&](int i) { return state_[static_cast<std::size_t>(i)] != kOpen; }),
+        cells.end());
+    if (static_cast<int>(cells.size()) < kMinSeeds) return;
+    for (const int i : cells) state_[static_cast<std::size_t>(i)] = kTaken;
+    // Only what is inconsistent now makes it grow.
+    const auto grown =
+        std::stable_partition(cells.begin(), cells.end(), [&](int i) { return !(evidence.depth.row(0)[i] > kSeed); });
+    const std::size_t first = static_cast<std::size_t>(grown - cells.begin());
+    const double seeds = static_cast<double>(cells.size() - first);
+    spread(cells, first, 1 + static_cast<int>(0.5 * std::sqrt(seeds)),
+           [&](std::size_t k) { return state_[k] == kOpen ? (state_[k] = kTaken, true) : false; });
+    int inconsistent = 0;
+    for (const int i : cells) inconsistent += contradicts(evidence, i) || followed.row(0)[i];
+    const int count = static_cast<int>(cells.size());
+    if (count >= kMinCells && inconsistent >= kMinShare * count) regions.push_back(std::move(cells));
+  }
+
+  /// Regions that touch without a step in depth are one, and so are those of an object that was found before: a post
+  /// before it may part them.
+  void merge(const Image<std::uint8_t>& followed) {
+    owner_.assign(state_.size(), -1);
+    for (std::size_t r = 0; r < regions.size(); ++r)
+      for (const int i : regions[r]) owner_[static_cast<std::size_t>(i)] = static_cast<int>(r);
+    parent_.resize(regions.size());
+    for (std::size_t r = 0; r < parent_.size(); ++r) parent_[r] = static_cast<int>(r);
+    const auto root = [&](int r) {
+      while (parent_[static_cast<std::size_t>(r)] != r) r = parent_[static_cast<std::size_t>(r)];
+      return r;
+    };
+    const auto join = [&](int r, int s) {
+      r = root(r), s = root(s);
+      parent_[static_cast<std::size_t>(std::max(r, s))] = std::min(r, s);
+    };
+    first_.fill(-1);
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+      count_.fill(0);
+      for (const int i : regions[r]) ++count_[followed.row(0)[i]];
+      for (std::size_t k = 1; k < count_.size(); ++k) {
+        if (2 * count_[k] < static_cast<int>(regions[r].size())) continue;
+        if (first_[k] >= 0) join(static_cast<int>(r), first_[k]);
+        first_[k] = static_cast<int>(r);
+      }
+    }
+    const auto touch = [&](std::size_t a, std::size_t b) {
+      if (owner_[a] < 0 || owner_[b] < 0 || std::abs(q_at(a) - q_at(b)) > tolerance_[a]) return;
+      join(owner_[a], owner_[b]);
+    };
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x) {
+        if (x + 1 < width_) touch(index(x, y), index(x + 1, y));
+        if (y + 1 < height_) touch(index(x, y), index(x, y + 1));
+      }
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+      const int into = root(static_cast<int>(r));
+      if (into == static_cast<int>(r)) continue;
+      std::vector<int>& whole = regions[static_cast<std::size_t>(into)];
+      whole.insert(whole.end(), regions[r].begin(), regions[r].end());
+      regions[r].clear();
+    }
+    regions.erase(std::remove_if(regions.begin(), regions.end(), [](const auto& r) { return r.empty(); }),
+                  regions.end());
+  }
+
+  int width_ = 0, height_ = 0;
+  std::vector<int> owner_, parent_;
+  std::array<int, 256> count_{}, first_{};  ///< by number of the followed object
+  const Image<float>* q_ = nullptr;
+  std::vector<std::uint8_t> state_;
+  std::vector<float> tolerance_;
+  std::vector<std::vector<int>> clusters_;
+};
+
+DOT_END_NAMESPACE

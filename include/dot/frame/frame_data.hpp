@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "dot/camera/depth_bias.hpp"
+#include "dot/image/depth_pyramid.hpp"
+#include "dot/image/pyramid.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// What is kept of a frame: its image and its depth, at all levels of the pyramid.
+struct FrameData {
+  std::uint64_t id = 0;  ///< the caller's
+  double timestamp = 0;  ///< seconds
+  Pyramid pyramid;
+  DepthPyramid depth;  ///< 1/m, after `bias` was subtracted
+  DepthBias bias;
+
+  const Image<float>& inverse_depth() const { return depth.levels[0]; }
+};
+
+/// A frame lent by the FrameStore; it keeps the frame from being recycled.
+using FramePtr = std::shared_ptr<const FrameData>;
+
+DOT_END_NAMESPACE

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "dot/camera/concept.hpp"
+#include "dot/labels/segmented_frame.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Buffers of `grow`.
+struct GrowWorkspace {
+  struct Pixel {
+    int x, y;
+    float q;  ///< 1/m, its own or, without measurement, its neighbour's
+  };
+  std::vector<Pixel> front;
+};
+
+/// Grows an object's pixels in `ids` into parts of it that the last segmentation could not see: what has come in over
+/// the image border since, or out from behind something.
+///
+/// A free pixel (id 0) beside the object, or beside something narrow that stands before it, joins it when
+/// - its inverse depth continues the neighbour's,
+/// - it was unseen in the segmented frame if it moved with the object, out of the image or hidden. Where it would have
+///   been visible the segmentation has already said that it is not the object's;
+/// - it was not there if it stands: one looked through, or at the object. So the ground, walls and whatever else the
+///   segmented frame shows stays out, and standing objects, for which both motions are the same, do not grow.
+/// @param T_seg_object motion of the object's points from the current camera to the segmented frame's
+/// @param T_seg_static the camera's alone
+/// @param tolerance    of an inverse depth q, relative: tolerance(q)
+/// @param box          x, y, width, height of the object's pixels; grows with them
+/// @return pixels gained.
+template <typename Camera, typename Tolerance>
+int grow(const SegmentedFrame& segmented, const SE3d& T_seg_object, const SE3d& T_seg_static, const Camera& camera,
+         ImageView<const float> inverse_depth, std::uint32_t id, Tolerance&& tolerance, GrowWorkspace& workspace,
+         Image<std::uint32_t>& ids, std::array<int, 4>& box) {
+  static_assert(is_camera_v<Camera>, DOT_CAMERA_MESSAGE);
+  const SE3f T_object = T_seg_object.template cast<float>(), T_static = T_seg_static.template cast<float>();
+  constexpr std::array<std::array<int, 2>, 4> sides{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+  const auto measured = [&](int x, int y) {
+    const float q = inverse_depth(x, y);
+    return std::isfinite(q) && q > 0 ? q : 0.0f;
+  };
+
+  auto& front = workspace.front;
+  front.clear();
+  int area = 0;
+  for (int y = box[1]; y < box[1] + box[3]; ++y)
+    for (int x = box[0]; x < box[0] + box[2]; ++x) {
+      if (ids(x, y) != id) continue;
+      ++area;
+      const float q = measured(x, y);
+      if (!(q > 0)) continue;
+      bool border = false;
+      for (const auto& [dx, dy] : sides) border |= ids.contains(x + dx, y + dy) && ids(x + dx, y + dy) == 0;
+      if (border) front.push_back({x, y, q});
+    }
+  const int narrow = static_cast<int>(0.25 * std::sqrt(static_cast<double>(area)));
+  int gained = 0;
+  int left = box[0], top = box[1], right = box[0] + box[2], bottom = box[1] + box[3];
+  while (!front.empty()) {
+    const GrowWorkspace::Pixel from = front.back();
+    front.pop_back();
+    const float nearer = from.q * (1 + static_cast<float>(tolerance(from.q)));
+    for (const auto& [dx, dy] : sides) {
+      int x = from.x + dx, y = from.y + dy;
+      for (int i = 0; i < narrow && ids.contains(x, y) && measured(x, y) > nearer; ++i) x += dx, y += dy;
+      if (!ids.contains(x, y) || ids(x, y) != 0) continue;
+      const float own = measured(x, y), q = own > 0 ? own : from.q;
+      const float limit = static_cast<float>(tolerance(q));
+      if (std::abs(q - from.q) > limit * from.q) continue;
+      const Vector3<float> ray = camera.unproject(Vector2<float>(static_cast<float>(x), static_cast<float>(y)));
+      const auto moved = classify_in_segmented_frame(segmented, T_object, camera, ray, q, limit, id, own > 0);
+      if (moved == InSegmentedFrame::Empty || moved == InSegmentedFrame::Other) continue;
+      const auto stood = classify_in_segmented_frame(segmented, T_static, camera, ray, q, limit, id, own > 0);
+      if (stood != InSegmentedFrame::Empty && stood != InSegmentedFrame::Object) continue;
+      ids(x, y) = id;
+      ++gained;
+      left = std::min(left, x), right = std::max(right, x + 1);
+      top = std::min(top, y), bottom = std::max(bottom, y + 1);
+      front.push_back({x, y, q});
+    }
+  }
+  box = {left, top, right - left, bottom - top};
+  return gained;
+}
+
+DOT_END_NAMESPACE

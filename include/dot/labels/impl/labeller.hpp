@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+DOT_BEGIN_NAMESPACE
+
+template <typename Camera, typename Noise>
+void Labeller<Camera, Noise>::label(const List& far_to_near, const FramePtr& cur, const CameraStep& camera_step,
+                                    bool segmented, const Camera& camera, const Noise& noise,
+                                    const MaskSettings& settings) {
+  advance(cur, camera_step, segmented);
+  labels_.resize(camera.width(), camera.height());
+  labels_.fill(0);
+  for (Track* t : far_to_near) {
+    TrackedOutline& outline = t->outline;
+    if (!outline.visible) outline.mask.clear();
+    if (!t->observed && t->belief.state != State::Static && outline.warped.is_mostly_hidden())
+      drop_unmeasured(cur->inverse_depth().view(), outline.mask);
+  }
+  paint(far_to_near, camera.width(), camera.height(), ids_);
+  // Near to far, so that what is nearer grows first.
+  for (auto i = far_to_near.rbegin(); i != far_to_near.rend(); ++i) {
+    Track& t = **i;
+    Mask& mask = t.outline.mask;
+    std::array<int, 4> box = mask.box();
+    if (!t.observed && t.outline.is_newest && known_) show_new_parts(t, *cur, camera, noise, settings, box);
+    crop_ids<std::uint32_t>(ids_.view(), t.identity.id, box, mask);
+    t.outline.visible = !mask.empty();
+    if (!t.outline.visible && t.motion.step.fit.ok()) t.motion.step.fit.reason = Reason::Hidden;
+    mask.write(static_cast<std::uint8_t>(t.belief.state), labels_);
+  }
+  if (segmented) T_now_segmented_ = {};
+}
+
+/// A frame that was segmented is the one to compare with from the next frame on.
+template <typename Camera, typename Noise>
+void Labeller<Camera, Noise>::advance(const FramePtr& cur, const CameraStep& camera_step, bool segmented) {
+  T_now_segmented_ = camera_step.T_cur_prev * T_now_segmented_;
+  known_ = known_ && camera_step.known();
+  if (newly_segmented_) {
+    std::swap(segmented_ids_, ids_);
+    segmented_ = std::move(newly_segmented_);
+    known_ = camera_step.known();
+  }
+  newly_segmented_ = segmented ? cur : nullptr;
+}
+
+template <typename Camera, typename Noise>
+void Labeller<Camera, Noise>::set_segmented(const List& far_to_near, const FramePtr& frame,
+                                            const CameraSince& camera_since, bool known) {
+  const Image<float>& size = frame->inverse_depth();
+  paint(far_to_near, size.width(), size.height(), segmented_ids_);
+  segmented_ = frame;
+  T_now_segmented_ = camera_since.T_now_ref;
+  known_ = known;
+}
+
+/// The id image of these tracks' masks.
+template <typename Camera, typename Noise>
+void Labeller<Camera, Noise>::paint(const List& far_to_near, int width, int height, Image<std::uint32_t>& ids) {
+  ids.resize(width, height);
+  ids.fill(0);
+  for (const Track* t : far_to_near) t->outline.mask.write(t->identity.id, ids);
+}
+
+/// Adds to an object's pixels what the last segmentation could not see of it: what earlier ones showed, and, where its
+/// motion is known, what none has shown.
+/// @param box x, y, width, height of its pixels; grows with them
+template <typename Camera, typename Noise>
+void Labeller<Camera, Noise>::show_new_parts(const Track& t, const FrameData& cur, const Camera& camera,
+                                             const Noise& noise, const MaskSettings& settings,
+                                             std::array<int, 4>& box) {
+  const SE3d T_seg_object = t.outline.T_now_shape.inverse(), T_seg_static = T_now_segmented_.inverse();
+  const ImageView<const float> inverse_depth = cur.inverse_depth().view();
+  const SegmentedFrame segmented{segmented_->inverse_depth(), segmented_ids_};
+  // Within which inverse depths of one surface agree, measured in two frames: relative, three sigmas.
+  const auto tolerance = [&](double q) {
+    const double sigma = std::max(std::hypot(noise.pixel_sigma(q), noise.shared_sigma(q)),
+                                  std::hypot(noise.prior_pixel_sigma(q), noise.prior_shared_sigma(q)));
+    return std::min(3 * std::sqrt(2.0) * sigma / q, settings.depth_tolerance);
+  };
+  if (!t.outline.hidden.mask.empty()) {
+    warp(t.outline.hidden, t.outline.T_now_shape, camera, {}, 0, warp_workspace_, expected_);
+    reveal(expected_, segmented, T_seg_object, T_seg_static, camera, inverse_depth, t.identity.id, tolerance, ids_,
+           box);
+  }
+  if (t.motion.step.fit.ok() || t.belief.dead_reckoning_is_reliable(t.motion.size, cur.timestamp))
+    grow(segmented, T_seg_object, T_seg_static, camera, inverse_depth, t.identity.id, tolerance, grow_workspace_, ids_,
+         box);
+}
+
+DOT_END_NAMESPACE

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "dot/camera_motion/camera_step.hpp"
+#include "dot/frame/frame_data.hpp"
+#include "dot/labels/grow.hpp"
+#include "dot/labels/reveal.hpp"
+#include "dot/tracks/track.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// The label and id images of each frame, and the parts of objects that the last segmentation could not see: keeps what
+/// that one showed.
+template <typename Camera, typename Noise>
+class Labeller {
+ public:
+  using List = std::vector<Track*>;
+
+  /// Labels the current frame by the masks of these tracks; sets the tracks' masks to what is visible of them.
+  /// @param far_to_near the last one is on top. @param camera_step that led to the frame. @param segmented there are
+  /// masks of a network for it.
+  void label(const List& far_to_near, const FramePtr& cur, const CameraStep& camera_step, bool segmented,
+             const Camera& camera, const Noise& noise, const MaskSettings& settings);
+
+  const Image<std::uint8_t>& labels() const { return labels_; }
+  const Image<std::uint32_t>& ids() const { return ids_; }
+
+  /// Makes a past frame the last one that was segmented, by the masks of these tracks.
+  /// @param camera_since motion since then. @param known whether that was measured.
+  void set_segmented(const List& far_to_near, const FramePtr& frame, const CameraSince& camera_since, bool known);
+
+  /// Forgets what the last segmentation showed.
+  void forget() noexcept {
+    segmented_.reset();
+    newly_segmented_.reset();
+    known_ = false;
+  }
+
+ private:
+  static void paint(const List& far_to_near, int width, int height, Image<std::uint32_t>& ids);
+  void advance(const FramePtr& cur, const CameraStep& camera_step, bool segmented);
+  void show_new_parts(const Track& t, const FrameData& cur, const Camera& camera, const Noise& noise,
+                      const MaskSettings& settings, std::array<int, 4>& box);
+
+  Image<std::uint8_t> labels_;
+  Image<std::uint32_t> ids_;
+
+  FramePtr segmented_;  ///< the last frame that was segmented before the newest one
+  Image<std::uint32_t> segmented_ids_;
+  SE3d T_now_segmented_;      ///< camera motion since
+  bool known_ = false;        ///< that is known, and there is such a frame
+  FramePtr newly_segmented_;  ///< the newest frame, if it was segmented: with the next one it is that frame
+
+  GrowWorkspace grow_workspace_;
+  WarpWorkspace warp_workspace_;
+  WarpedMask expected_;
+};
+
+DOT_END_NAMESPACE
+
+#include "dot/labels/impl/labeller.hpp"

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "dot/camera_motion/camera_step.hpp"
+#include "dot/frame/frame_data.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// A frame without segmentation, whose masks may still come.
+struct AwaitedFrame {
+  FramePtr frame;
+  CameraStep camera;        ///< that led to it
+  CameraSince since;        ///< the camera's motion since then
+  bool since_known = true;  ///< that was measured, in every frame since
+
+  double timestamp() const { return frame->timestamp; }
+};
+
+/// The frames since the last segmentation, the oldest first.
+class AwaitedFrames {
+ public:
+  using const_iterator = std::vector<AwaitedFrame>::const_iterator;
+
+  /// Another frame follows. @param step led to it.
+  void advance(const CameraStep& step) {
+    for (AwaitedFrame& f : frames_) {
+      f.since = f.since.after(step);
+      f.since_known = f.since_known && step.known();
+    }
+  }
+
+  /// Adds the newest frame; drops what is older than so many seconds, and the oldest of more than `most`.
+  void add(const FramePtr& frame, const CameraStep& step, double seconds, int most) {
+    constexpr double kClockError = 1e-6;  // seconds
+    const auto count = static_cast<std::size_t>(most);
+    frames_.reserve(count);
+    std::size_t drop = 0;
+    while (drop < frames_.size() &&
+           (frames_[drop].timestamp() < frame->timestamp - seconds - kClockError || frames_.size() - drop >= count))
+      ++drop;
+    frames_.erase(frames_.begin(), frames_.begin() + static_cast<std::ptrdiff_t>(drop));
+    frames_.push_back({frame, step, {}, true});
+  }
+
+  /// The frame of this id, the newest of several; end() if there is none.
+  const_iterator find(std::uint64_t id) const {
+    const auto found =
+        std::find_if(frames_.rbegin(), frames_.rend(), [id](const AwaitedFrame& f) { return f.frame->id == id; });
+    return found == frames_.rend() ? frames_.end() : std::prev(found.base());
+  }
+
+  /// Drops all frames up to this one, and this one.
+  void drop_through(const_iterator last) { frames_.erase(frames_.begin(), std::next(last)); }
+  void clear() noexcept { frames_.clear(); }
+
+  const_iterator begin() const { return frames_.begin(); }
+  const_iterator end() const { return frames_.end(); }
+  bool empty() const { return frames_.empty(); }
+  std::size_t size() const { return frames_.size(); }
+
+ private:
+  std::vector<AwaitedFrame> frames_;
+};
+
+DOT_END_NAMESPACE

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dot/labels/labeller.hpp"
+#include "dot/late_masks/awaited_frames.hpp"
+#include "dot/tracks/tracks.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Masks that arrive after their frame: keeps the frames whose masks may still come, and takes those that do to the
+/// present.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+class LateMasks {
+ public:
+  using TracksT = Tracks<Camera, Classifier, Noise, Aligner>;
+  using Setup = typename TracksT::Setup;
+
+  /// The stages that masks go through, whose states change by them.
+  struct Stages {
+    TracksT& tracks;
+    Observations& observations;
+    Labeller<Camera, Noise>& labeller;
+    const Discovery<Camera, Noise>& discovery;
+    const Setup& setup;
+  };
+
+  const AwaitedFrames& frames() const { return frames_; }
+
+  /// Another frame follows. @param step led to it.
+  void advance(const CameraStep& step) { frames_.advance(step); }
+
+  /// Keeps the newest frame as long as its masks may come: until those of a later one have, or are too late.
+  /// @param segmented it came with masks.
+  void await(const FramePtr& cur, const CameraStep& step, bool segmented, const MaskSettings& settings,
+             const std::vector<Track*>& tracks);
+
+  /// Takes the masks of a past frame, which `observations` has counted, and all tracks with them to the present.
+  /// @param then one of `frames`. @param now timestamp of the newest frame.
+  void apply(AwaitedFrames::const_iterator then, const Masks& masks, double now, const Stages& stages);
+
+  void clear() noexcept { frames_.clear(); }
+
+ private:
+  using Worker = typename TracksT::Worker;
+
+  static SE3d T_now_then(const Track& t, const AwaitedFrame& then, double now);
+  void recall(const AwaitedFrame& then, double now, const Stages& stages) const;
+  void apply_late_mask(Track& t, const AwaitedFrame& then, double now, const Setup& setup, Worker& worker) const;
+  void renew_reference(Track& t, const AwaitedFrame& then, const Mask& mask, const Vector3<double>& centre, double now,
+                       const Setup& setup, Worker& worker) const;
+  void replay(const std::vector<Track*>& started, const AwaitedFrame& then, const Stages& stages) const;
+
+  AwaitedFrames frames_;
+};
+
+DOT_END_NAMESPACE
+
+#include "dot/late_masks/impl/late_masks.hpp"

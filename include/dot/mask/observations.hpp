@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dot/containers/recycling_list.hpp"
+#include "dot/frame/frame.hpp"
+#include "dot/frame/validate.hpp"
+#include "dot/mask/centre.hpp"
+#include "dot/mask/mask.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// An instance that was seen in one frame: by a network, or discovered by its motion.
+struct Observation {
+  std::uint32_t instance_id = 0;
+  Mask mask;
+  std::int32_t class_id = -1;
+  float score = 0;
+  bool always_dynamic = false;
+  bool discovered = false;
+  bool assigned = false;                             ///< it belongs to a track
+  Vector3<double> centre = Vector3<double>::Zero();  ///< of the mask at its median depth, metres; zero: no depth
+
+  double inverse_depth() const { return centre.z() > 0 ? 1 / centre.z() : 0.0; }
+};
+
+/// The observations of one frame. Their addresses do not change while they are in the list.
+class Observations {
+ public:
+  RecyclingList<Observation> list;
+
+  /// Another one, to be filled in.
+  Observation& add() {
+    Observation& o = list.push_back();
+    Observation fresh;
+    std::swap(fresh.mask, o.mask);  // for its memory
+    o = std::move(fresh);
+    return o;
+  }
+
+  /// Adds what was discovered. @param mask is left with the pixels of an old one.
+  template <typename Camera>
+  void add_discovered(Mask& mask, const Image<float>& inverse_depth, const Camera& camera) {
+    Observation& o = add();
+    std::swap(o.mask, mask);
+    o.centre = centre_of(o.mask, inverse_depth, camera, values_);
+    o.discovered = true;
+  }
+
+  /// Reads the id image, if there is one, as far as is needed to know how many instances there are; before `read`.
+  /// @param field name of the masks. @param most instances that are allowed. @param width, height of the image.
+  /// @throws std::invalid_argument naming the field when there are too many, or when their boxes overlap so much that
+  /// to store and compare them would take without bound.
+  void count(const char* field, const Masks& masks, int most, int width, int height) {
+    runs_.instances.clear();
+    runs_.box_area = 0;
+    runs_.runs.clear();
+    if (masks.ids.data != nullptr) find_runs(masks.ids, runs_);
+    const auto refuse_more = [&](const char* member, std::size_t count) {
+      if (count > static_cast<std::size_t>(most))
+        bad_field(std::string(field) + member, "has " + std::to_string(count) +
+                                                   " instances, more than mask.max_instances, " + std::to_string(most) +
+                                                   ": is it an image of something else?");
+    };
+    refuse_more(".ids", runs_.instances.size());
+    refuse_more(".instances", masks.instances.size);
+    const double images = runs_.box_area / (1.0 * width * height);
+    if (images > kMostBoxes)
+      bad_field(std::string(field) + ".ids", "has instances that are strewn over it: their boxes have " +
+                                                 to_text(images) + " times its area, more than " + to_text(kMostBoxes) +
+                                                 ": is it an image of something else?");
+  }
+
+  /// Adds the instances of a frame's segmentation, whichever way they came, after `count` of the same.
+  template <typename Camera>
+  void read(const Masks& masks, const Image<float>& inverse_depth, const Camera& camera) {
+    if (masks.ids.data != nullptr) {
+      split_ids(runs_, [this](std::uint32_t id) -> Mask& {
+        Observation& o = add();
+        o.instance_id = id;
+        return o.mask;
+      });
+    }
+    for (const Instance& instance : masks.instances) {
+      Observation* o = nullptr;
+      if (instance.mask.data != nullptr) {
+        o = &add();
+        o->instance_id = instance.id;
+        mask_of(instance.mask, instance.x, instance.y, camera.width(), camera.height(), o->mask);
+      } else {
+        for (Observation& other : list)
+          if (other.instance_id == instance.id) o = &other;
+      }
+      if (!o) continue;
+      o->class_id = instance.class_id;
+      o->score = instance.score;
+      o->always_dynamic = instance.always_dynamic;
+    }
+    list.drop_if([](const Observation& o) { return o.mask.empty(); });
+    for (Observation& o : list) o.centre = centre_of(o.mask, inverse_depth, camera, values_);
+  }
+
+ private:
+  static constexpr double kMostBoxes = 32;  ///< areas of the image that the boxes of all instances may have
+
+  IdRuns runs_;
+  std::vector<float> values_;
+};
+
+DOT_END_NAMESPACE

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "dot/align/minima.hpp"
+#include "dot/motion/disparity.hpp"
+#include "dot/motion/known_velocity.hpp"
+#include "dot/object_motion/displacement_covariance.hpp"
+#include "dot/object_motion/fit.hpp"
+#include "dot/object_motion/problem.hpp"
+#include "dot/object_motion/velocity_search.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Motion T_o of an object with T_c fixed (paper, section 3.3, eq. 4-5), about its centroid, with a weak depth residual
+/// beside the photometric one, chosen among several starts, checked, and with an honest covariance of its velocity.
+struct ObjectMotionEstimator {
+  ObjectSettings settings;
+  MotionPriorSettings prior;
+  VelocitySettings velocity;
+
+  /// @param starts of T_o, in the reference camera's axes, the most trusted first; none where all lie behind the
+  /// camera.
+  template <typename Camera, typename Noise, typename Aligner>
+  ObjectFit fit(const ReferencePair& pair, const ObjectScene<Camera>& scene, const std::vector<SE3d>& starts,
+                const KnownVelocity& known, const Noise& noise, Aligner& aligner, MinimaWorkspace& workspace) const {
+    const ObjectReference& reference = pair.reference;
+    ObjectFit out;
+    if (reference.points.size() < settings.min_points) {
+      out.reason = Reason::TooLittleTexture;
+      return out;
+    }
+    const AlignProblem<Camera> problem = object_problem(pair, scene, prior, noise);
+
+    // Levels on which the object still has some structure.
+    int top = std::min(reference.points.levels, scene.image.size()) - 1;
+    while (top > 0 && std::sqrt(1.0 * reference.area) / (1 << top) < 5) --top;
+    out = best_minimum(pair, problem, starts, starts.size(), top, known, noise, aligner, workspace);
+    // Coarse levels mix an object with what hides it and may lead away from where it is known to be.
+    if (!out.ok() && known.seconds > 0 && top > kNearLevel && !starts.empty()) {
+      const ObjectFit near = best_minimum(pair, problem, starts, 1, kNearLevel, known, noise, aligner, workspace);
+      if (near.ok()) out = near;
+    }
+    return out;
+  }
+
+  /// Adds to `starts`, of many velocities, those that fit best on a coarse level; for an object without history.
+  template <typename Camera, typename Noise, typename Aligner>
+  void search(const ReferencePair& pair, const ObjectScene<Camera>& scene, const Noise& noise, Aligner& aligner,
+              MinimaWorkspace& workspace, std::vector<SE3d>& starts) const {
+    if (pair.reference.points.size() < settings.min_points) return;
+    VelocitySearch{settings.search_speed}.find(pair, object_problem(pair, scene, prior, noise), aligner, workspace,
+                                               starts);
+  }
+
+ private:
+  static constexpr int kNearLevel = 2;  ///< from which a fit starts where it is not to go far
+
+  /// Aligned from the first `count` starts, level `top` first: of the minima found the best that holds.
+  template <typename Camera, typename Noise, typename Aligner>
+  ObjectFit best_minimum(const ReferencePair& pair, const AlignProblem<Camera>& problem,
+                         const std::vector<SE3d>& starts, std::size_t count, int top, const KnownVelocity& known,
+                         const Noise& noise, Aligner& aligner, MinimaWorkspace& workspace) const {
+    const int points = pair.reference.points.size();
+    ObjectFit out;
+    const int fine = std::min(1, top);
+    Minima& minima = workspace.minima;
+    minima.found.clear();
+    for (std::size_t i = 0; i < count; ++i)
+      minima.add(problem, aligner.align(problem, {problem.T_outer * starts[i], pair.camera.gain, pair.camera.offset},
+                                        top, fine));
+    std::vector<Alignment>& candidates = minima.found;
+    // Few points may agree by chance, and better than any others.
+    const auto sees_few = [&](const Alignment& a) {
+      return a.seen < settings.min_inliers || a.seen < 0.3 * settings.min_visible * points;
+    };
+    minima.drop_if(sees_few);
+    if (fine > 0)
+      for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);
+    rank(problem, candidates, aligner, workspace);
+    // The best minimum that holds before the checks; the best of all says why there is none.
+    out.reason = Reason::LeavesImage;
+    const auto& order = workspace.ranked;
+    for (std::size_t i = 0; i < std::min<std::size_t>(order.size(), 4); ++i) {
+      Alignment& a = candidates[order[i].second];
+      aligner.reject_outliers_and_refit(problem, a);
+      ObjectFit attempt = fit_of(pair, problem, a, noise);
+      attempt.reason = check(points, a, attempt, known);
+      if (i == 0 || attempt.ok()) out = attempt;
+      if (attempt.ok()) break;
+    }
+    return out;
+  }
+
+  /// Sets workspace.ranked, the best first. A later start must win by a margin: equal minima should not alternate.
+  template <typename Camera, typename Aligner>
+  void rank(const AlignProblem<Camera>& problem, const std::vector<Alignment>& candidates, Aligner& aligner,
+            MinimaWorkspace& workspace) const {
+    auto& order = workspace.ranked;
+    order.clear();
+    if (candidates.size() == 1) {
+      order.push_back({0, 0});
+      return;
+    }
+    double sigma = std::numeric_limits<double>::infinity();
+    for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const double cost = aligner.tukey_cost(problem, candidates[i].state, 0, sigma) * (order.empty() ? 0.98 : 1);
+      if (std::isfinite(cost)) order.push_back({cost, i});
+    }
+    std::sort(order.begin(), order.end());
+  }
+
+  template <typename Camera, typename Noise>
+  ObjectFit fit_of(const ReferencePair& pair, const AlignProblem<Camera>& problem, const Alignment& a,
+                   const Noise& noise) const {
+    const ObjectReference& reference = pair.reference;
+    const double dt = pair.seconds;
+    const SE3d T_c = problem.T_outer;
+    ObjectFit out;
+    out.T_o = T_c.inverse() * a.state.T;
+    out.sigma = a.covariance.topLeftCorner<6, 6>();
+    out.phi = a.phi;
+    out.n_points = a.inside;
+    out.n_inliers = a.inliers;
+    MotionEstimate& m = out.motion;
+    const Vector3<double> moved = out.T_o * reference.centroid;
+    m.velocity = (moved - reference.centroid) / dt;
+    m.span_seconds = dt;
+    m.span_frames = std::max(1, pair.camera.intervals);
+    m.range = moved.z();
+    m.covariance = displacement_covariance(pair, a, moved, velocity, noise) / (dt * dt) +
+                   Matrix3<double>::Identity() * velocity.floor * velocity.floor;
+    m.entropy = entropy(out.sigma);
+    const DynamicDisparity d =
+        dynamic_disparity(reference.points, problem.camera, T_c, out.T_o, reference.centroid, out.sigma);
+    m.disparity_px = d.median_px;
+    m.disparity_noise_px = d.noise_px;
+    return out;
+  }
+
+  Reason check(int points, const Alignment& a, const ObjectFit& out, const KnownVelocity& known) const {
+    if (!a.state.T.t.allFinite() || !out.motion.velocity.allFinite()) return Reason::Diverged;
+    if (a.inside < settings.min_points || a.inside < settings.min_visible * points) return Reason::LeavesImage;
+    if (a.seen < settings.min_inliers || a.seen < 0.3 * a.inside) return Reason::Occluded;
+    if (!has_covariance(a) || !out.motion.covariance.allFinite()) return Reason::Diverged;
+    const bool expected = known.seconds > 0 && !known.contradicts(out.motion, settings.max_acceleration);
+    if (a.phi < (expected ? settings.min_phi_expected : settings.min_phi)) return Reason::LowCorrelation;
+    if (a.inliers < settings.min_inliers || a.inliers < settings.min_inlier_share * a.seen)
+      return Reason::TooFewInliers;
+    if (a.with_depth >= settings.min_inliers && a.depth_agrees < settings.min_depth_agreement * a.with_depth)
+      return Reason::DepthDisagrees;
+    if (out.motion.velocity.norm() > settings.max_speed || known.contradicts(out.motion, settings.max_acceleration))
+      return Reason::Implausible;
+    return Reason::None;
+  }
+};
+
+DOT_END_NAMESPACE

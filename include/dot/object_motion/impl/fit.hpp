@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+DOT_BEGIN_NAMESPACE
+
+DOT_INLINE ObjectFit ObjectFit::reversed(const SE3d& C) const {
+  ObjectFit out = *this;
+  out.T_o = C * T_o.inverse() * C.inverse();
+  Matrix6<double> turn = Matrix6<double>::Zero();
+  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = C.R * T_o.R.transpose();
+  out.sigma = turn * sigma * turn.transpose();
+  out.motion.velocity = -(C.R * motion.velocity);
+  out.motion.covariance = C.R * motion.covariance * C.R.transpose();
+  return out;
+}
+
+DOT_END_NAMESPACE

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+DOT_BEGIN_NAMESPACE
+
+/// What `follow` works with.
+template <typename Camera, typename Noise, typename Aligner>
+struct ObjectTracker<Camera, Noise, Aligner>::Following {
+  const ObjectMotion& motion;
+  const ObjectBelief& belief;
+  const ObservedPlaces& places;
+  const Interval& interval;
+  ObjectScene<Camera> scene;
+  Workspace& workspace;
+  ObjectStep step;
+  double evidence_variance = 0;  ///< trace of the covariance of the evidence's velocity
+
+  const SE3d& T_c() const { return interval.camera.T_cur_prev; }
+};
+
+template <typename Camera, typename Noise, typename Aligner>
+ObjectStep ObjectTracker<Camera, Noise, Aligner>::follow(const ObjectMotion& motion, const ObjectBelief& belief,
+                                                         const ObservedPlaces& places, const Interval& interval,
+                                                         ImageView<const std::uint8_t> nearer,
+                                                         Workspace& workspace) const {
+  const FrameData& cur = interval.cur;
+  Following f{motion, belief, places, interval, {cur.pyramid, camera, cur.depth, nearer}, workspace, {}, 0};
+  ObjectStep& step = f.step;
+  step.T_o = step.T_o_outline = belief.expected_motion(interval.camera.seconds);
+  if (!interval.camera.known()) {
+    step.fit.reason = interval.camera.status == CameraStatus::FirstFrame ? Reason::NoReference : Reason::CameraLost;
+  } else if (motion.references.empty()) {
+    step.fit.reason = motion.no_reference;
+  } else {
+    fit_last_interval(f);
+    if (step.fit.ok() && belief.knows_velocity()) use_known_velocity(f);
+    fit_older(f);
+  }
+  return step;
+}
+
+/// By the newest reference that fits; the reason where there is none is that of the newest of all.
+template <typename Camera, typename Noise, typename Aligner>
+void ObjectTracker<Camera, Noise, Aligner>::fit_last_interval(Following& f) const {
+  const std::size_t recent = std::min(f.motion.references.size(), kRecent);
+  for (std::size_t i = 0; i < recent && !f.step.fit.ok(); ++i) {
+    const ObjectReference& reference = f.motion.references[i];
+    const ReferencePair pair = pair_with_current(f, reference);
+    set_starts(f, pair);
+    if (!f.motion.has_T_o_now && i == 0)
+      estimator.search(pair, f.scene, noise, f.workspace.aligner, f.workspace.minima, f.workspace.starts);
+    const ObjectFit found = fit(f, pair);
+    if (i == 0) f.step.fit = found;
+    if (!found.ok()) continue;
+    if (pair.camera.intervals > 1) f.step.astray_since = reference.timestamp;
+    const SE3d T_prev_ref = f.T_c().inverse() * pair.camera.T_now_ref;
+    f.step.T_o = T_prev_ref * found.T_o * reference.T_obj_now_ref.inverse();
+    f.step.T_o_outline = f.step.T_o;
+    f.step.fit = over_last_interval(found, T_prev_ref, f.interval.camera.seconds, estimator.velocity.acceleration);
+    add_evidence(f, pair, found, f.step.fit);
+  }
+}
+
+/// Fits of what is a few pixels wide or half hidden know less of it than its velocity before.
+template <typename Camera, typename Noise, typename Aligner>
+void ObjectTracker<Camera, Noise, Aligner>::use_known_velocity(Following& f) const {
+  const double seconds = f.interval.camera.seconds;
+  const KnownVelocity known{f.belief.velocity_now, f.belief.velocity_covariance, seconds};
+  f.step.T_o = SE3d::translation(known.correction(f.step.fit.motion) * seconds) * f.step.T_o;
+  const ObjectReference& r = f.motion.references.front();
+  f.step.T_o_outline = shrink_rotation(f.step.T_o, f.step.fit, r.T_obj_now_ref * r.centroid, seconds,
+                                       estimator.velocity.photometric_scale, estimator.prior);
+}
+
+/// By up to three older references, the oldest first: they tell more of what stands or moves steadily, but of what just
+/// started only how it moved on average.
+template <typename Camera, typename Noise, typename Aligner>
+void ObjectTracker<Camera, Noise, Aligner>::fit_older(Following& f) const {
+  const double seconds = f.interval.camera.seconds, floor = estimator.velocity.floor;
+  const double acceleration = estimator.velocity.acceleration;
+  const int count = static_cast<int>(f.motion.references.size());
+  int last = 0;
+  for (int i = 0; i < kOlder; ++i) {
+    const int k = count - 1 - i * std::max(1, count / 4);
+    if (k <= 0 || k == last) break;
+    last = k;
+    const ObjectReference& older = f.motion.references[static_cast<std::size_t>(k)];
+    const double age = f.interval.cur.timestamp - older.timestamp;
+    const double least = 3 * (variance_of_change(age, seconds, acceleration) + floor * floor);
+    if (f.step.has_evidence && least >= f.evidence_variance) continue;  // it cannot tell more
+    const ReferencePair pair = pair_with_current(f, older);
+    f.workspace.starts.assign(1, pair.camera.T_now_ref.inverse() * f.T_c() * f.step.T_o * older.T_obj_now_ref);
+    const ObjectFit found = fit(f, pair);
+    if (!found.ok()) continue;
+    const ObjectFit shared =
+        over_last_interval(found, f.T_c().inverse() * pair.camera.T_now_ref, seconds, acceleration);
+    add_evidence(f, pair, found, shared);
+    if (f.step.fit.ok() && shared.motion.covariance.trace() < f.step.fit.motion.covariance.trace()) f.step.fit = shared;
+  }
+}
+
+template <typename Camera, typename Noise, typename Aligner>
+ObjectFit ObjectTracker<Camera, Noise, Aligner>::fit(const Following& f, const ReferencePair& pair) const {
+  return estimator.fit(pair, f.scene, f.workspace.starts, known_velocity(f, pair), noise, f.workspace.aligner,
+                       f.workspace.minima);
+}
+
+/// Takes a fit for the evidence if it tells more than what there is. @param last its share of the last interval.
+template <typename Camera, typename Noise, typename Aligner>
+void ObjectTracker<Camera, Noise, Aligner>::add_evidence(Following& f, const ReferencePair& pair,
+                                                         const ObjectFit& found, const ObjectFit& last) const {
+  const double variance = last.motion.covariance.trace();
+  if (found.phi < estimator.settings.min_phi || (f.step.has_evidence && variance >= f.evidence_variance)) return;
+  const Matrix3<double> R_prev_ref = f.T_c().R.transpose() * pair.camera.T_now_ref.R;
+  f.step.evidence = found.motion;
+  f.step.evidence.velocity = R_prev_ref * found.motion.velocity;
+  f.step.evidence.covariance = R_prev_ref * found.motion.covariance * R_prev_ref.transpose();
+  f.step.has_evidence = true;
+  f.evidence_variance = variance;
+}
+
+/// The fused velocity, in the axes of a reference; nothing where it is not known well enough to refuse a fit for it.
+template <typename Camera, typename Noise, typename Aligner>
+KnownVelocity ObjectTracker<Camera, Noise, Aligner>::known_velocity(const Following& f,
+                                                                    const ReferencePair& pair) const {
+  if (!f.belief.knows_velocity()) return {};
+  const Matrix3<double> R_ref_prev = pair.camera.T_now_ref.R.transpose() * f.T_c().R;
+  return {R_ref_prev * f.belief.velocity_now, R_ref_prev * f.belief.velocity_covariance * R_ref_prev.transpose(),
+          f.interval.cur.timestamp - std::min(f.belief.last_fit, pair.reference.timestamp)};
+}
+
+/// Where the alignment begins, the most trusted first: as predicted, standing still, moving as in the interval before,
+/// and where masks show it.
+template <typename Camera, typename Noise, typename Aligner>
+void ObjectTracker<Camera, Noise, Aligner>::set_starts(const Following& f, const ReferencePair& pair) const {
+  const ObjectReference& r = pair.reference;
+  const SE3d& T_c = f.T_c();
+  const SE3d T_ref_cur = pair.camera.T_now_ref.inverse();
+  std::vector<SE3d>& out = f.workspace.starts;
+  out.clear();
+  const double focal = camera.intrinsics().fx;
+  const auto add = [&](const SE3d& T_o) {
+    const Vector3<double> moved = T_o * r.centroid;
+    if (moved.z() < 0.05) return;
+    for (const SE3d& other : out) {  // the same within half a pixel and one percent of depth
+      const Vector3<double> d = moved - other * r.centroid;
+      if (focal * d.template head<2>().norm() < 0.5 * moved.z() && std::abs(d.z()) < 0.01 * moved.z()) return;
+    }
+    out.push_back(T_o);
+  };
+  const SE3d T_o_predicted = f.belief.expected_motion(f.interval.camera.seconds);
+  add(T_ref_cur * T_c * T_o_predicted * r.T_obj_now_ref);
+  add(SE3d{});
+  if (f.motion.has_T_o_now) add(T_ref_cur * T_c * f.motion.T_o_now * r.T_obj_now_ref);
+  const auto add_observed = [&](const Observation& o) {
+    const Vector3<double>& now = o.centre;
+    if (now.z() <= 0 || r.anchor.z() <= 0) return;
+    const Vector3<double> d = T_ref_cur * now - r.anchor;
+    if (d.norm() > estimator.settings.max_speed * pair.seconds) return;
+    const double size = o.mask.area * now.z() * now.z() / (std::max(1, r.area) * r.anchor.z() * r.anchor.z());
+    if (size > 0.3 && size < 3.3) add(SE3d::translation(d));
+  };
+  if (f.places.own) return add_observed(*f.places.own);
+  if (!f.places.unassigned) return;
+  // Those nearest to where it should be.
+  auto& nearest = f.workspace.nearest;
+  nearest.clear();
+  const Vector3<double> expected = T_c * T_o_predicted * r.T_obj_now_ref * r.anchor;
+  for (const Observation& o : f.places.unassigned->list)
+    if (!o.assigned && o.discovered == f.places.discovered && o.centre.z() > 0)
+      nearest.push_back({(o.centre - expected).squaredNorm(), &o});
+  if (nearest.size() > kNearestMasks) {
+    std::nth_element(nearest.begin(), nearest.begin() + kNearestMasks - 1, nearest.end());
+    nearest.resize(kNearestMasks);
+  }
+  for (const auto& [distance, o] : nearest) add_observed(*o);
+}
+
+DOT_END_NAMESPACE

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+DOT_BEGIN_NAMESPACE
+
+DOT_INLINE Matrix6<double> prior_information(const MotionPriorSettings& prior, double dt) {
+  Matrix6<double> P = Matrix6<double>::Zero();
+  const double t = 1 / std::pow(prior.velocity * dt, 2), r = 1 / std::pow(prior.rotation * dt, 2);
+  P.diagonal() << t, t, t, r, r, r;
+  if (prior.ground_vehicle) {
+    // Up and down, pitch and roll: a tenth of what is free elsewhere.
+    const Vector3<double> up = Vector3<double>(prior.up_x, prior.up_y, prior.up_z).normalized();
+    const Matrix3<double> vertical = up * up.transpose();
+    P.topLeftCorner<3, 3>() += 99 * t * vertical;
+    P.bottomRightCorner<3, 3>() += 99 * r * (Matrix3<double>::Identity() - vertical);
+  }
+  return P;
+}
+
+DOT_END_NAMESPACE

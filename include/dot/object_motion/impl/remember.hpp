@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+DOT_BEGIN_NAMESPACE
+
+template <typename Camera, typename Noise, typename Aligner>
+Reason ObjectTracker<Camera, Noise, Aligner>::make_reference(const FrameData& frame, const Mask& mask,
+                                                             const Vector3<double>& centre, Workspace& workspace,
+                                                             ObjectReference& r) const {
+  if (mask.area < selection.min_object_pixels) return Reason::TooFewPixels;
+  const Selector<Camera, Noise> select{
+      camera, noise, frame.pyramid, frame.inverse_depth().view(), selection, workspace.selection, kernels};
+  const ObjectPoints found =
+      select_object(select, {mask.x, mask.y, mask.width(), mask.height()}, mask.pixels.view(), mask.area, r.points);
+  // Where a matcher finds nothing, beyond its range or in the dark, what depth there is may be its mistakes.
+  if (depth_source != DepthSource::Lidar && found.pixels_with_depth < selection.min_depth_share * mask.area)
+    return Reason::TooLittleDepth;
+  if (r.points.size() < estimator.settings.min_points)
+    return found.shape_known ? Reason::TooLittleTexture : Reason::TooLittleDepth;
+  r.points.bias = frame.bias;
+  r.set_centroid();
+  r.anchor = centre;
+  r.area = found.pixels_with_depth;
+  return Reason::None;
+}
+
+template <typename Camera, typename Noise, typename Aligner>
+void ObjectTracker<Camera, Noise, Aligner>::remember(const FrameData& cur, const Mask* mask, Workspace& workspace,
+                                                     ObjectMotion& motion) const {
+  thin_newest(motion.references, estimator.settings.reference_seconds);
+  if (!mask) {
+    motion.no_reference = Reason::Hidden;
+    return;
+  }
+  const Vector3<double> centre = centre_of(*mask, cur.inverse_depth(), camera, workspace.selection.values);
+  if (centre.z() > 0) {
+    // What is half hidden shows a part that is not its middle: then the middle is where its motion carried it.
+    const double size = std::sqrt(1.0 * mask->area) * centre.z() / camera.intrinsics().fx;
+    if (size > 0.7 * motion.size || !motion.position_now.is_ahead()) motion.position_now = {centre, true};
+    motion.size = std::max(motion.size, size);
+  }
+  ObjectReference& r = motion.references.push_front();
+  r.restart(cur.timestamp);
+  const Reason reason = make_reference(cur, *mask, centre, workspace, r);
+  if (reason == Reason::None) return;
+  motion.references.pop_front();
+  motion.no_reference = reason;
+}
+
+DOT_END_NAMESPACE

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+
+#include "dot/containers/recycling_list.hpp"
+#include "dot/motion/place.hpp"
+#include "dot/object_motion/fit.hpp"
+#include "dot/object_motion/object_path.hpp"
+#include "dot/object_motion/reference.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// One object's motion over the last interval. Motions are in the axes of the previous frame's camera.
+struct ObjectStep {
+  ObjectFit fit;            ///< of the interval, or the reason why there is none
+  SE3d T_o;                 ///< what carries the points: fit and known velocity, else as predicted
+  SE3d T_o_outline;         ///< what carries the outline: the same without the noise of its rotation
+  MotionEstimate evidence;  ///< of the reference that tells most, if there is one
+  bool has_evidence = false;
+  /// Timestamp after which it was not where it was carried to: it was found by a reference that is older.
+  double astray_since = std::numeric_limits<double>::infinity();
+};
+
+/// What is known of one object's motion so far. `now` is the newest frame that it was followed to.
+struct ObjectMotion {
+  RecyclingList<ObjectReference> references;  ///< newest first
+  Reason no_reference = Reason::NoReference;  ///< why the last frame added none
+  ObjectPath path;                            ///< since the frames whose masks may still come
+  SE3d T_o_now;                               ///< last accepted T_o, in the axes of `now`
+  bool has_T_o_now = false;                   ///< that is of the last interval
+  Place position_now;                         ///< of its middle
+  double size = 0;                            ///< metres: root of the largest area that it has shown
+  ObjectStep step;                            ///< that led to `now`
+
+  /// The references tell nothing any more.
+  void forget_references(Reason reason) {
+    references.clear();
+    no_reference = reason;
+  }
+
+  /// Drops the references that are older than so many seconds.
+  void drop_older_references(double timestamp, double seconds) {
+    constexpr double kClockError = 1e-6;
+    while (!references.empty() && timestamp - references.back().timestamp > seconds + kClockError)
+      references.pop_back();
+  }
+
+  /// Takes another fit of the last interval, after `advance`: what was carried here by `step.T_o` is carried by that.
+  void correct(const ObjectFit& fit, const SE3d& T_cur_prev);
+
+  /// Carries all into the current frame by `step`. @param T_o_outline what carries the outline.
+  void advance(const CameraStep& camera, const SE3d& T_o_outline);
+};
+
+DOT_END_NAMESPACE
+
+#ifndef DOT_USES_COMPILED_PIPELINE
+#include "dot/object_motion/impl/object_motion.hpp"
+#endif

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "dot/align/aligner.hpp"
+#include "dot/motion/settings.hpp"
+#include "dot/object_motion/reference.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// What a frame offers to an object's fit.
+template <typename Camera>
+struct ObjectScene {
+  const Pyramid& image;
+  const Camera& camera;
+  const DepthPyramid& depth;             ///< of the frame
+  ImageView<const std::uint8_t> hidden;  ///< non-zero where a nearer object was found already
+};
+
+/// Information of the twist of T_o about zero over `dt` seconds.
+DOT_INLINE Matrix6<double> prior_information(const MotionPriorSettings& prior, double dt);
+
+/// The alignment of an object's reference to a frame: T_o with the camera's motion fixed (paper, section 3.3, eq. 4-5).
+template <typename Camera, typename Noise>
+AlignProblem<Camera> object_problem(const ReferencePair& pair, const ObjectScene<Camera>& scene,
+                                    const MotionPriorSettings& prior, const Noise& noise) {
+  const ObjectReference& reference = pair.reference;
+  AlignProblem<Camera> problem{reference.points, scene.image, scene.camera};
+  problem.T_outer = pair.camera.T_now_ref;
+  problem.centred = true;
+  problem.centroid = reference.centroid;
+  problem.prior = prior_information(prior, pair.seconds);
+  problem.photometry = {SE3d{}, pair.camera.gain, pair.camera.offset};
+  problem.gain_information = 1 / (prior.gain * prior.gain);
+  problem.offset_information = 1 / (prior.offset * prior.offset);
+  problem.hidden_cost = 1;  // an inlier costs about 0.45, an outlier 3.7
+  const double q = 1 / std::max(0.05, reference.centroid.z());
+  const double pixel = noise.pixel_sigma(q), change = noise.shared_drift_sigma(q);
+  problem.depth.inverse_depth = scene.depth.levels[0].view();
+  problem.depth_pyramid = &scene.depth;
+  problem.depth.hidden = scene.hidden;
+  problem.depth.sigma = static_cast<float>(std::sqrt(pixel * pixel + change * change));
+  // On an object the depth may be worse than on the background that taught its noise.
+  problem.depth.agreement =
+      static_cast<float>(3 * std::max(std::sqrt(pixel * pixel + change * change),
+                                      std::hypot(noise.prior_pixel_sigma(q), noise.prior_shared_sigma(q))));
+  // Neighbouring depths are not independent, and all share the change of the common error: together they are worth
+  // N = 1 / (A_corr / area + change^2 / pixel^2) measurements.
+  const double n = 1 / (45.0 / std::max(45, reference.area) + change * change / (pixel * pixel));
+  problem.depth.weight = static_cast<float>(n / std::max(1, reference.points.size()));
+  return problem;
+}
+
+DOT_END_NAMESPACE
+
+#ifndef DOT_USES_COMPILED_PIPELINE
+#include "dot/object_motion/impl/prior_information.hpp"
+#endif

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+
+#include "dot/camera_motion/camera_step.hpp"
+#include "dot/points/point_set.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// An object as a past frame saw it, and what has moved since. `now` is the newest frame that the object was followed
+/// to: the previous one while it is being followed to the current one.
+struct ObjectReference {
+  PointSet points;
+  Vector3<double> centroid = Vector3<double>::Zero();  ///< of the points, camera axes of that frame, metres
+  Vector3<double> anchor = Vector3<double>::Zero();    ///< centre of its mask at its median depth; zero: no depth
+  int area = 0;                                        ///< pixels of its mask with its depth
+  double timestamp = 0;                                ///< seconds
+  CameraSince camera;                                  ///< the camera's motion since then
+  SE3d T_obj_now_ref;                                  ///< the object's points since then: camera and own motion
+
+  /// Makes it one of this time, of which nothing is known but what `points` holds.
+  void restart(double new_timestamp) {
+    ObjectReference fresh;
+    fresh.timestamp = new_timestamp;
+    std::swap(fresh.points, points);
+    *this = std::move(fresh);
+  }
+
+  /// Sets the centroid to the middle of the points.
+  void set_centroid() {
+    double x = 0, y = 0, q = 0;
+    for (std::size_t i = 0; i < points.u.size(); ++i) x += points.x[i], y += points.y[i], q += points.q[i];
+    const double n = points.size();
+    centroid = Vector3<double>(x / n, y / n, 1) / (q / n);
+  }
+};
+
+/// A reference and the frame that it is aligned to.
+struct ReferencePair {
+  const ObjectReference& reference;
+  CameraSince camera;  ///< motion from the reference to that frame, `now`
+  double seconds = 0;  ///< from the reference to that frame
+
+  const SE3d& T_now_ref() const { return camera.T_now_ref; }
+};
+
+DOT_END_NAMESPACE

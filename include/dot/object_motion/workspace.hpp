@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "dot/align/minima.hpp"
+#include "dot/mask/observations.hpp"
+#include "dot/object_motion/reference.hpp"
+#include "dot/points/select.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Buffers of a thread that follows objects, and its own copy of the aligner.
+template <typename Aligner>
+struct ObjectWorkspace {
+  Aligner aligner;
+  MinimaWorkspace minima;
+  std::vector<SE3d> starts;
+  std::vector<std::pair<double, const Observation*>> nearest;  ///< with squared distances
+  ObjectReference here;                                        ///< the object as the current frame shows it
+  SelectionWorkspace selection;
+};
+
+DOT_END_NAMESPACE

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+DOT_BEGIN_NAMESPACE
+
+namespace writing {
+
+/// Row by row.
+template <typename Derived, typename Out>
+void copy(const Eigen::MatrixBase<Derived>& m, Out& out) {
+  for (Eigen::Index r = 0; r < m.rows(); ++r)
+    for (Eigen::Index c = 0; c < m.cols(); ++c) out[static_cast<std::size_t>(r * m.cols() + c)] = m(r, c);
+}
+
+inline CameraResult result_of(const CameraStep& step) {
+  CameraResult out;
+  out.status = step.status;
+  out.T_cur_prev = step.T_cur_prev.row_major();
+  copy(step.covariance, out.covariance);
+  out.phi = step.alignment.phi;
+  out.gain = step.alignment.state.gain;
+  out.offset = step.alignment.state.offset;
+  out.residual_sigma = step.alignment.sigma_intensity;
+  out.reduced_chi2 = step.alignment.reduced_chi2;
+  out.n_points = step.alignment.seen;
+  out.n_inliers = step.alignment.inliers;
+  return out;
+}
+
+inline ObjectResult result_of(const Track& t) {
+  ObjectResult out;
+  out.id = t.identity.id;
+  out.discovered = t.identity.discovered;
+  out.segmented = t.segmented;
+  out.instance_id = t.segmented ? t.identity.instance_id : 0;
+  out.class_id = t.identity.class_id;
+  out.score = t.identity.score;
+  if (t.is_shown()) {
+    out.area = t.outline.mask.area;
+    out.box = t.outline.mask.box();
+  }
+  const ObjectBelief& belief = t.belief;
+  out.state = belief.state;
+  out.last_decided = belief.last_decided;
+  out.always_dynamic = belief.always_dynamic;
+  out.p_moving = belief.p_moving;
+  copy(belief.velocity_now, out.fused_velocity);
+  copy(belief.velocity_covariance, out.fused_covariance);
+  const ObjectFit& fit = t.motion.step.fit;
+  out.reason = fit.reason;
+  out.phi = fit.phi;
+  out.n_points = fit.n_points;
+  out.n_inliers = fit.n_inliers;
+  if (!fit.ok()) return out;
+  out.T_o = fit.T_o.row_major();
+  copy(fit.sigma, out.covariance);
+  copy(fit.motion.velocity, out.velocity);
+  copy(fit.motion.covariance, out.velocity_covariance);
+  out.speed = fit.motion.velocity.norm();
+  out.disparity_px = fit.motion.disparity_px;
+  out.disparity_noise_px = fit.motion.disparity_noise_px;
+  out.entropy = fit.motion.entropy;
+  out.range = fit.motion.range;
+  out.interval = fit.motion.span_seconds;
+  return out;
+}
+
+}  // namespace writing
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame, const CameraStep& camera_step) {
+  result_.frame_id = frame.id;
+  result_.timestamp = frame.timestamp;
+  result_.interval = camera_step.seconds;
+  if constexpr (std::is_same_v<Noise, DepthNoise>)
+    result_.disparity_bias_px = current_->bias.is_zero() ? 0 : current_->bias.rms() * depth_noise.focal_baseline;
+  result_.camera = writing::result_of(camera_step);
+  objects_.clear();
+  for (const Track* t : tracks_.all())
+    if (!t->candidacy.is_candidate) objects_.push_back(writing::result_of(*t));
+  result_.labels = labeller_.labels().view();
+  result_.ids = labeller_.ids().view();
+  result_.objects = {objects_.data(), objects_.size()};
+}
+
+DOT_END_NAMESPACE

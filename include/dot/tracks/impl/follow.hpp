@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+DOT_BEGIN_NAMESPACE
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::prepare(const Aligner& aligner, const Threads& threads) {
+  while (workers_.size() < static_cast<std::size_t>(std::max(1, threads.count)))
+    workers_.push_back({{aligner, {}, {}, {}, {}, {}}, {}});
+}
+
+/// The tracks for which `condition` holds, by id; valid until the next call.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+template <typename Condition>
+auto Tracks<Camera, Classifier, Noise, Aligner>::that(Condition&& condition) -> const List& {
+  selected_.clear();
+  for (ClassifiedTrack& t : tracks_)
+    if (condition(static_cast<const Track&>(t))) selected_.push_back(&t);
+  return selected_;
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::forget_references() {
+  for (Track& t : tracks_) t.motion.forget_references(Reason::NoReference), t.motion.has_T_o_now = false;
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::predict(const List& tracks, const Interval& interval,
+                                                         const Setup& setup) {
+  setup.threads.run(static_cast<int>(tracks.size()), [&](int worker, int i) {
+    predict(*tracks[static_cast<std::size_t>(i)], interval, setup, workers_[static_cast<std::size_t>(worker)]);
+  });
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::predict(Track& t, const Interval& interval, const Setup& setup,
+                                                         Worker& worker) const {
+  const CameraStep& camera = interval.camera;
+  t.segmented = false;
+  t.observed = nullptr;
+  t.outline.is_newest &= camera.known();
+  // Compared with what the camera saw before a guess, all that stands would move.
+  if (!camera.known()) t.motion.forget_references(Reason::CameraLost);
+  for (ObjectReference& r : t.motion.references)
+    if (r.points.subtract_bias(interval.cur.bias, setup.camera.width(), setup.camera.height())) r.set_centroid();
+  const SE3d T_cur_prev = camera.T_cur_prev * t.belief.expected_motion(camera.seconds);
+  t.expected = t.motion.position_now.moved(T_cur_prev);
+  t.outline.warp_by(T_cur_prev * t.outline.T_now_shape, interval.cur.inverse_depth(), setup.camera, setup.mask,
+                    worker.outline);
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::assign(Observations& observations, const MaskSettings& settings) {
+  assignment_.by_overlap(all(), observations, settings);
+  drop_covered_candidates(all(), settings.min_containment);
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::follow(const List& tracks, const Interval& interval,
+                                                        const Observations& observations,
+                                                        const Discovery<Camera, Noise>& discovery, const Setup& setup) {
+  order_.assign(tracks.begin(), tracks.end());
+  std::sort(order_.begin(), order_.end(), [](const Track* l, const Track* r) {
+    const double a = l->inverse_depth(), b = r->inverse_depth();
+    return a != b ? a > b : l->identity.id < r->identity.id;
+  });
+  nearer_.resize(setup.camera.width(), setup.camera.height());
+  nearer_.fill(0);
+  const auto touches = [&](std::size_t nearer, std::size_t object) {
+    return may_touch(*order_[nearer], *order_[object]);
+  };
+  const int rounds = rounds_of(order_.size(), touches, rounds_);
+  for (int round = 0; round < rounds; ++round) {
+    at_once_.clear();
+    for (std::size_t i = 0; i < order_.size(); ++i)
+      if (rounds_[i] == round) at_once_.push_back(order_[i]);
+    setup.threads.run(static_cast<int>(at_once_.size()), [&](int worker, int i) {
+      follow(*at_once_[static_cast<std::size_t>(i)], interval, observations, discovery, setup,
+             workers_[static_cast<std::size_t>(worker)]);
+    });
+    for (const Track* t : at_once_)
+      if (!t->candidacy.is_candidate && (t->motion.step.fit.ok() || t->observed))
+        t->newest_mask().write(std::uint8_t{255}, nearer_);
+  }
+}
+
+/// Whether one object may hide a part of the other, which therefore waits for it: their outlines, as predicted and as
+/// observed, with as much room around as they may move unexpectedly.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+bool Tracks<Camera, Classifier, Noise, Aligner>::may_touch(const Track& a, const Track& b) {
+  const auto masks_of = [](const Track& t) {
+    return std::array<const Mask*, 2>{&t.outline.warped.mask, t.observed ? &t.observed->mask : nullptr};
+  };
+  for (const Mask* l : masks_of(a))
+    for (const Mask* r : masks_of(b)) {
+      if (!l || !r || l->empty() || r->empty()) continue;
+      const int margin = kReach + (std::max(l->width(), l->height()) + std::max(r->width(), r->height())) / 4;
+      if (l->x - margin < r->x + r->width() && r->x - margin < l->x + l->width() &&
+          l->y - margin < r->y + r->height() && r->y - margin < l->y + l->height())
+        return true;
+    }
+  return false;
+}
+
+/// One object: its step, what that makes believe, and all of it carried into the current frame. Outlines of standing
+/// things are carried by T_c alone, so that they do not drift with the noise of the fits.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval& interval,
+                                                        const Observations& observations,
+                                                        const Discovery<Camera, Noise>& discovery, const Setup& setup,
+                                                        Worker& worker) const {
+  const CameraStep& camera = interval.camera;
+  ObjectStep& step = t.motion.step;
+  if (t.is_rejected_candidate() && camera.known()) {
+    step = {};
+    step.T_o = step.T_o_outline = t.belief.expected_motion(camera.seconds);
+    step.fit.reason = Reason::Hidden;
+  } else {
+    const bool discovered = t.identity.discovered;
+    const Noise noise = discovered ? Discovery<Camera, Noise>::bounded(setup.noise) : setup.noise;
+    step = tracker(setup, noise)
+               .follow(t.motion, t.belief, {t.observed, &observations, discovered}, interval,
+                       std::as_const(nearer_).view(), worker.object);
+  }
+  decide(t, interval.cur, camera.T_cur_prev.R, camera.seconds, camera.seconds, discovery, setup);
+
+  const SE3d T_o_outline = t.belief.state == State::Static ? SE3d{} : step.T_o_outline;
+  t.motion.advance(camera, T_o_outline);
+  t.expected = t.motion.position_now;
+  TrackedOutline& outline = t.outline;
+  outline.T_now_shape = camera.T_cur_prev * T_o_outline * outline.T_now_shape;
+  // What was observed needs no prediction, and what is static was predicted by the same motion.
+  const bool same =
+      outline.T_frame_shape.R == outline.T_now_shape.R && outline.T_frame_shape.t == outline.T_now_shape.t;
+  if (!t.observed && !same)
+    outline.warp_by(outline.T_now_shape, interval.cur.inverse_depth(), setup.camera, setup.mask, worker.outline);
+}
+
+/// Updates the belief by the step. @param R_cur_fit takes the fit's axes to the current camera's.
+/// @param seconds since the frame before. @param dt that the classifier is to predict by.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::decide(Track& t, const FrameData& cur,
+                                                        const Matrix3<double>& R_cur_fit, double seconds, double dt,
+                                                        const Discovery<Camera, Noise>& discovery,
+                                                        const Setup& setup) const {
+  const ObjectStep& step = t.motion.step;
+  const ObjectMotionEstimator& estimator = setup.estimator;
+  t.belief.check_velocity(step.fit, estimator.settings.max_acceleration, cur.timestamp, seconds);
+  if (t.identity.discovered) t.candidacy.confirm(step, t.belief, estimator.velocity, seconds);
+  auto& memory = static_cast<ClassifiedTrack&>(t).memory;
+  t.belief.take(setup.classifier(memory, step.has_evidence ? &step.evidence : nullptr, R_cur_fit, dt));
+  if (t.identity.discovered) t.candidacy.decide(t.belief.state, discovery.support(t.newest_mask()), seconds);
+}
+
+DOT_END_NAMESPACE

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <tuple>
+
+DOT_BEGIN_NAMESPACE
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+int Tracks<Camera, Classifier, Noise, Aligner>::place(const Interval& interval, bool segmented,
+                                                      Observations& observations,
+                                                      const Discovery<Camera, Noise>& discovery, const Setup& setup) {
+  assignment_.by_overlap(that([](const Track& t) { return !t.observed; }), observations, setup.mask);
+  find_again(observations, setup.mask);
+  const int too_small = start(observations, discovery, setup);
+  setup.threads.run(static_cast<int>(tracks_.size()), [&](int worker, int i) {
+    place(tracks_[static_cast<std::size_t>(i)], interval, segmented, discovery, setup,
+          workers_[static_cast<std::size_t>(worker)]);
+  });
+  return too_small;
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::place(Track& t, const Interval& interval, bool segmented,
+                                                       const Discovery<Camera, Noise>& discovery, const Setup& setup,
+                                                       Worker& worker) const {
+  const FrameData& cur = interval.cur;
+  TrackedOutline& outline = t.outline;
+  Reason& reason = t.motion.step.fit.reason;
+  if (t.observed) {
+    if (t.segmented && t.followed && !t.motion.step.fit.ok()) align_backwards(t, interval, discovery, setup, worker);
+    outline.mask = t.observed->mask;
+    outline.take(t.observed->mask, outline.T_now_shape, cur.inverse_depth(), 1 / setup.selection.max_depth,
+                 setup.camera, setup.mask, worker.outline);
+    outline.T_now_shape = {};
+    outline.is_newest = outline.visible = true;
+  } else {
+    if (segmented) outline.is_newest = false;
+    outline.mask = outline.warped.mask;
+    outline.visible = outline.mask.area >= setup.mask.min_pixels;
+    // What the last segmentation should have shown and did not may be missed or gone; fits may have locked onto
+    // something else. It is carried on, but counts as seen only once a network shows it again.
+    if (outline.visible && segmented && !t.identity.discovered) outline.contradicted = true;
+  }
+  const bool follows = t.identity.discovered ? !t.candidacy.is_candidate : !outline.contradicted;
+  if (t.observed || (follows && outline.visible && reason == Reason::None)) outline.last_seen = cur.timestamp;
+  if (!outline.visible && !t.may_come_out() && reason == Reason::None) reason = Reason::Hidden;
+  const bool was_shown = !t.identity.discovered || t.candidacy.was_confirmed() || t.is_rejected_candidate();
+  const double keep = was_shown ? setup.mask.keep_seconds : Candidacy::kSeconds;
+  if (t.lost || cur.timestamp - outline.last_seen > keep) {
+    t.lost = true;
+    reason = Reason::Lost;
+  }
+}
+
+/// A step for an object to which no earlier mask led.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::align_backwards(Track& t, const Interval& interval,
+                                                                 const Discovery<Camera, Noise>& discovery,
+                                                                 const Setup& setup, Worker& worker) const {
+  const auto fit =
+      tracker(setup, setup.noise).align_backwards(t.motion, t.belief, *t.observed, interval, worker.object);
+  if (!fit) return;
+  const SE3d& T_c = interval.camera.T_cur_prev;
+  t.motion.correct(*fit, T_c);
+  t.expected = t.motion.position_now;
+  ObjectStep& step = t.motion.step;
+  if (step.has_evidence) return;  // an older frame has told already
+  // What is believed already was carried to this frame, so the evidence comes in its axes.
+  step.evidence = fit->motion;
+  step.evidence.velocity = T_c.R * step.evidence.velocity;
+  step.evidence.covariance = T_c.R * step.evidence.covariance * T_c.R.transpose();
+  step.has_evidence = fit->phi >= setup.estimator.settings.min_phi;
+  decide(t, interval.cur, Matrix3<double>::Identity(), interval.camera.seconds, 0, discovery, setup);
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+int Tracks<Camera, Classifier, Noise, Aligner>::start(Observations& observations,
+                                                      const Discovery<Camera, Noise>& discovery, const Setup& setup) {
+  int too_small = 0;
+  for (Observation& o : observations.list) {
+    if (o.assigned) continue;
+    if (!o.discovered && o.mask.area < setup.mask.min_pixels) {
+      ++too_small;
+      continue;
+    }
+    ClassifiedTrack& t = tracks_.push_back();
+    t.restart(next_id_++);
+    t.memory = {};
+    t.start(o);
+    if (o.discovered) t.candidacy.support = discovery.support(o.mask);
+  }
+  choose_followed(setup.estimator.settings.max_fitted);
+  // Of more than twice as many as there may be instances, those that were not seen for longest are dropped.
+  drop_surplus(2 * static_cast<std::size_t>(setup.mask.max_instances));
+  return too_small;
+}
+
+/// The largest are those whose motion is estimated.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::choose_followed(int most) {
+  const auto count = static_cast<std::size_t>(most);
+  for (Track& t : tracks_) t.followed = true;
+  if (tracks_.size() <= count) return;
+  order_ = all();
+  std::sort(order_.begin(), order_.end(), [&](const Track* l, const Track* r) {
+    const int a = l->newest_mask().area, b = r->newest_mask().area;
+    return a != b ? a > b : l->identity.id < r->identity.id;
+  });
+  for (std::size_t i = count; i < order_.size(); ++i) order_[i]->followed = false;
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::drop_surplus(std::size_t most) {
+  if (tracks_.size() <= most) return;
+  order_ = all();
+  std::sort(order_.begin(), order_.end(), [](const Track* l, const Track* r) {
+    const bool l_seen = l->observed, r_seen = r->observed;
+    return std::make_tuple(l_seen, l->outline.last_seen, l->identity.id) >
+           std::make_tuple(r_seen, r->outline.last_seen, r->identity.id);
+  });
+  for (std::size_t i = most; i < order_.size(); ++i) order_[i]->lost = true;
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+auto Tracks<Camera, Classifier, Noise, Aligner>::far_to_near() -> const List& {
+  order_ = that([](const Track& t) { return t.is_shown() || t.may_come_out(); });
+  const auto rank = [](const Track* t) {
+    return std::make_tuple(t->observed && !t->identity.discovered, t->inverse_depth(), t->identity.id);
+  };
+  std::sort(order_.begin(), order_.end(), [&](const Track* l, const Track* r) { return rank(l) < rank(r); });
+  return order_;
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::remember(Track& t, const FrameData& cur, const Setup& setup,
+                                                          Worker& worker) const {
+  t.motion.drop_older_references(cur.timestamp, setup.estimator.settings.reference_seconds);
+  if (t.is_rejected_candidate()) return;
+  if (!t.followed) {
+    t.motion.forget_references(Reason::TooManyObjects);
+    return;
+  }
+  tracker(setup, setup.noise).remember(cur, t.outline.visible ? &t.outline.mask : nullptr, worker.object, t.motion);
+}
+
+DOT_END_NAMESPACE

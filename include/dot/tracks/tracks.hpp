@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "dot/discovery/discovery.hpp"
+#include "dot/motion/classifier.hpp"
+#include "dot/object_motion/object_tracker.hpp"
+#include "dot/tracks/assignment.hpp"
+#include "dot/tracks/setup.hpp"
+#include "dot/tracks/track.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// All objects: who they are from frame to frame, and each one's steps in order. A frame calls `predict`, `assign`,
+/// `follow`, `place` and, once its labels are there, `remember`.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+class Tracks {
+ public:
+  using Setup = TrackingSetup<Camera, Classifier, Noise>;
+  using List = std::vector<Track*>;
+
+  /// Buffers of a thread.
+  struct Worker {
+    ObjectWorkspace<Aligner> object;
+    OutlineWorkspace outline;
+  };
+
+  /// Follows one object. @param noise may be another one than the setup's; all is borrowed.
+  static ObjectTracker<Camera, Noise, Aligner> tracker(const Setup& setup, const Noise& noise) {
+    return {setup.camera, noise, setup.estimator, setup.selection, setup.depth_source, setup.kernels};
+  }
+
+  /// Takes as many workers as there are threads, each with a copy of the aligner.
+  void prepare(const Aligner& aligner, const Threads& threads);
+
+  /// All tracks, by id; valid until the next call.
+  const List& all() {
+    return that([](const Track&) { return true; });
+  }
+  std::size_t size() const { return tracks_.size(); }
+  std::vector<Worker>& workers() { return workers_; }
+
+  /// Where `tracks` should be in the current frame, at constant velocity.
+  void predict(const List& tracks, const Interval& interval, const Setup& setup);
+
+  /// Gives the observations of the current frame to the tracks that they continue.
+  void assign(Observations& observations, const MaskSettings& settings);
+
+  /// Motions and states of `tracks` (Algorithm 1 of the paper, with `continue` instead of `break`), the nearest first:
+  /// what it covers is hidden of the others. Those that cannot touch one another are followed at the same time.
+  /// @param observations that have no track yet may be one of them.
+  void follow(const List& tracks, const Interval& interval, const Observations& observations,
+              const Discovery<Camera, Noise>& discovery, const Setup& setup);
+
+  /// Masks of the current frame: what was observed where there is such a thing, otherwise the outline moved by T_c T_o.
+  /// What was observed and no track explains, now that their motions are known, becomes a new track.
+  /// @param segmented there are masks of a network for this frame.
+  /// @return how many of these were too small to start a track.
+  int place(const Interval& interval, bool segmented, Observations& observations,
+            const Discovery<Camera, Noise>& discovery, const Setup& setup);
+
+  /// Adds the current frame to a track's references.
+  void remember(Track& track, const FrameData& cur, const Setup& setup, Worker& worker) const;
+
+  /// Starts tracks for what was observed and has none, and chooses which are followed.
+  /// @return how many instances of a network were too small.
+  int start(Observations& observations, const Discovery<Camera, Noise>& discovery, const Setup& setup);
+
+  /// Continues tracks that were hidden by observations that have no track.
+  void find_again(Observations& observations, const MaskSettings& settings) {
+    assignment_.by_place(all(), observations, settings);
+  }
+
+  /// What is shown or may come out, far to near, predicted masks below those that a network saw; valid until the next
+  /// call.
+  const List& far_to_near();
+
+  /// Drops those that were lost in the frame before.
+  void drop_lost() {
+    tracks_.drop_if([](const Track& t) { return t.lost; });
+  }
+  /// No frame before this one is to be compared with any more; ids stay.
+  void forget_references();
+  /// Drops all; ids are not used again.
+  void clear() noexcept { tracks_.clear(); }
+
+ private:
+  static constexpr int kReach = 32;  ///< pixels that even a small object may move unexpectedly
+
+  /// `memory` is the classifier's.
+  struct ClassifiedTrack : Track {
+    typename Classifier::Memory memory{};
+  };
+
+  template <typename Condition>
+  const List& that(Condition&& condition);
+  void predict(Track& t, const Interval& interval, const Setup& setup, Worker& worker) const;
+  void follow(Track& t, const Interval& interval, const Observations& observations,
+              const Discovery<Camera, Noise>& discovery, const Setup& setup, Worker& worker) const;
+  void decide(Track& t, const FrameData& cur, const Matrix3<double>& R_cur_fit, double seconds, double dt,
+              const Discovery<Camera, Noise>& discovery, const Setup& setup) const;
+  void place(Track& t, const Interval& interval, bool segmented, const Discovery<Camera, Noise>& discovery,
+             const Setup& setup, Worker& worker) const;
+  void align_backwards(Track& t, const Interval& interval, const Discovery<Camera, Noise>& discovery,
+                       const Setup& setup, Worker& worker) const;
+  static bool may_touch(const Track& a, const Track& b);
+  void choose_followed(int most);
+  void drop_surplus(std::size_t most);
+
+  RecyclingList<ClassifiedTrack> tracks_;  ///< in the order of ids
+  std::uint32_t next_id_ = 1;
+
+  std::vector<Worker> workers_;
+  Assignment assignment_;
+  Image<std::uint8_t> nearer_;  ///< where objects nearer than those being followed were found
+  List selected_;               ///< by `that`
+  List order_;                  ///< nearest first
+  List at_once_;                ///< those of one round
+  std::vector<int> rounds_;     ///< in which those in `order_` are followed
+};
+
+DOT_END_NAMESPACE
+
+#include "dot/tracks/impl/follow.hpp"
+#include "dot/tracks/impl/place.hpp"

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/camera_motion/camera_tracker.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "support/stage_film.hpp"
+
+// The camera alone: no object, no label.
+
+namespace {
+
+using namespace dot::test;
+using dot::CameraStatus;
+using dot::CameraStep;
+using dot::SE3d;
+using dot::Vector3;
+
+struct Drive : StageFilm {
+  StageSetup setup;
+  dot::CameraMotionEstimator estimator;
+  dot::CameraTracker<dot::Pinhole, dot::DepthNoise, dot::DirectAligner<>> tracker;
+  dot::ObjectWorkspace<dot::DirectAligner<>> workspace;
+  dot::Image<std::uint8_t> labels;
+  bool enough = false;
+
+  static Film<> scene() {
+    Film<> film;
+    film.camera_path = straight({0, 0, 0}, {0.2, 0, 1});
+    film.degradation.noise = 1;
+    return film;
+  }
+  Drive() : StageFilm(scene()) {
+    labels.resize(camera.width(), camera.height());
+    labels.fill(0);
+  }
+
+  CameraStep next(const dot::HostMotion& host = {}) {
+    advance();
+    const double seconds = prev ? cur->timestamp - prev->timestamp : 0;
+    const CameraStep step =
+        tracker.track(prev, *cur, seconds, host, camera, estimator, workspace.aligner, workspace.minima);
+    tracker.learn_depth(*cur, step, camera, {}, estimator.settings.min_points, setup.noise);
+    const dot::Selector<dot::Pinhole, dot::DepthNoise> select{
+        camera, setup.noise, cur->pyramid, cur->inverse_depth().view(), setup.selection, workspace.selection};
+    enough = tracker.take_background(*cur, step, labels, select, estimator.settings.min_points);
+    return step;
+  }
+  double error(const CameraStep& step) const { return (step.T_cur_prev * film.T_c().inverse()).log().norm(); }
+};
+
+TEST(CameraTracker, MeasuresTheMotionBetweenTwoFrames) {
+  Drive drive;
+  EXPECT_EQ(drive.next().status, CameraStatus::FirstFrame);
+  EXPECT_TRUE(drive.enough);
+  for (int i = 0; i < 3; ++i) {
+    const CameraStep step = drive.next();
+    ASSERT_EQ(step.status, CameraStatus::Tracked);
+    EXPECT_LT(drive.error(step), 5e-3);
+    EXPECT_NEAR(step.seconds, 0.1, kClockError);
+    EXPECT_GT(step.covariance.trace(), 0);
+  }
+}
+
+TEST(CameraTracker, TakesTheHostsMotion) {
+  Drive drive;
+  drive.next();
+  dot::CameraMotion motion;
+  motion.T_cur_prev = SE3d::translation({0, 0, -0.3}).row_major();
+  motion.covariance[0] = 1e-4;
+  const CameraStep step = drive.next({motion, std::nullopt});
+  EXPECT_EQ(step.status, CameraStatus::FromHost);
+  EXPECT_EQ(step.T_cur_prev.t, Vector3<double>(0, 0, -0.3));
+  EXPECT_EQ(step.covariance(0, 0), 1e-4);
+}
+
+TEST(CameraTracker, GuessesWithoutPoints) {
+  Drive drive;
+  drive.film.spoil = [](int, Rendering& seen) { seen.depth.fill(0); };
+  drive.next();
+  EXPECT_FALSE(drive.enough);
+  const CameraStep step = drive.next();
+  EXPECT_EQ(step.status, CameraStatus::TooLittleDepth);
+  EXPECT_FALSE(step.known());
+  const double metres = drive.estimator.settings.search_speed * step.seconds;
+  EXPECT_NEAR(step.covariance(0, 0), metres * metres / 3, 1e-9) << "nothing is known but its limits";
+}
+
+TEST(CameraTracker, GoesOnWithOlderPointsOverAFrameWithoutDepth) {
+  Drive drive;
+  drive.next();
+  drive.next();
+  drive.film.spoil = [](int, Rendering& seen) { seen.depth.fill(0); };
+  CameraStep step = drive.next();
+  EXPECT_EQ(step.status, CameraStatus::Tracked) << "the points are of the frame before";
+  EXPECT_FALSE(drive.enough);
+  step = drive.next();
+  EXPECT_EQ(step.status, CameraStatus::Tracked) << "and serve once more";
+  EXPECT_LT(drive.error(step), 1e-2);
+  EXPECT_TRUE(drive.tracker.is_sure());
+}
+
+TEST(CameraTracker, WhatFollowsAGuessIsAsUnsureAsThatGuess) {
+  Drive drive;
+  drive.next();
+  const CameraStep good = drive.next();
+  drive.film.spoil = [](int, Rendering& seen) { seen.depth.fill(0); };
+  drive.estimator.settings.min_phi = drive.estimator.settings.min_phi_unexpected = 2;  // nothing is good enough
+  EXPECT_EQ(drive.next().status, CameraStatus::Lost);
+  EXPECT_FALSE(drive.tracker.is_sure());
+  drive.estimator = {};
+  drive.film.spoil = nullptr;
+  CameraStep step = drive.next();
+  ASSERT_EQ(step.status, CameraStatus::Tracked);
+  EXPECT_GT(step.covariance.trace(), 1e3 * good.covariance.trace());
+  EXPECT_TRUE(drive.tracker.is_sure()) << "from here on there are new points";
+  step = drive.next();
+  EXPECT_LT(step.covariance.trace(), 10 * good.covariance.trace());
+}
+
+TEST(CameraTracker, HasNoPointsWhereObjectsAre) {
+  Drive drive;
+  drive.labels.fill(1);
+  drive.next();
+  EXPECT_FALSE(drive.enough);
+}
+
+TEST(CameraTracker, ForgetsTheFrames) {
+  Drive drive;
+  drive.next();
+  drive.next();
+  drive.tracker.forget_frames();
+  EXPECT_EQ(drive.next().status, CameraStatus::TooLittleDepth);
+}
+
+}  // namespace

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/discovery/candidacy.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using dot::Candidacy;
+using dot::Matrix3;
+using dot::ObjectBelief;
+using dot::ObjectStep;
+using dot::Reason;
+using dot::State;
+using dot::Vector3;
+
+constexpr double dt = 0.1;
+
+/// A fit of this velocity, sigma 0.1 m/s.
+ObjectStep fitted(const Vector3<double>& velocity) {
+  ObjectStep step;
+  step.fit.reason = Reason::None;
+  step.fit.motion.velocity = velocity;
+  step.fit.motion.covariance = 0.01 * Matrix3<double>::Identity();
+  step.fit.motion.range = 10;
+  step.evidence = step.fit.motion;
+  step.has_evidence = true;
+  return step;
+}
+
+ObjectBelief believed(const Vector3<double>& velocity) {
+  ObjectBelief belief;
+  belief.velocity_now = velocity;
+  belief.velocity_covariance = 0.01 * Matrix3<double>::Identity();
+  return belief;
+}
+
+TEST(Candidacy, IsConfirmedByFitsThatAgree) {
+  Candidacy candidacy;
+  candidacy.confirm(fitted({3, 0, 0}), ObjectBelief{}, {}, dt);
+  EXPECT_FALSE(candidacy.was_confirmed()) << "the first has nothing to agree with";
+  candidacy.confirm(fitted({3.1, 0, 0}), believed({3, 0, 0}), {}, dt);
+  EXPECT_TRUE(candidacy.was_confirmed());
+  for (int i = 0; i < 100; ++i) candidacy.confirm(fitted({3, 0, 0}), believed({3, 0, 0}), {}, dt);
+  EXPECT_EQ(candidacy.confirmed, Candidacy::kMaxConfirmedSeconds);
+}
+
+TEST(Candidacy, IsNotConfirmedByFitsThatDifferOrStand) {
+  Candidacy candidacy;
+  candidacy.confirm(fitted({-3, 0, 0}), believed({3, 0, 0}), {}, dt);
+  EXPECT_FALSE(candidacy.was_confirmed()) << "another motion each time";
+  candidacy.confirm(fitted({0, 0, 0}), believed({0, 0, 0}), {}, dt);
+  EXPECT_FALSE(candidacy.was_confirmed()) << "it stands";
+}
+
+TEST(Candidacy, LosesItsConfirmationAgain) {
+  Candidacy candidacy;
+  candidacy.confirm(fitted({3, 0, 0}), believed({3, 0, 0}), {}, dt);
+  ObjectStep hidden;
+  hidden.fit.reason = Reason::Occluded;
+  candidacy.confirm(hidden, believed({3, 0, 0}), {}, dt);
+  EXPECT_TRUE(candidacy.was_confirmed()) << "what is hidden says nothing";
+  ObjectStep failed;
+  failed.fit.reason = Reason::LowCorrelation;
+  candidacy.confirm(failed, believed({3, 0, 0}), {}, dt);
+  EXPECT_FALSE(candidacy.was_confirmed());
+}
+
+TEST(Candidacy, IsShownWhileItMovesWithSupport) {
+  Candidacy candidacy;
+  candidacy.is_candidate = true;
+  candidacy.support = 0.5;
+  candidacy.decide(State::Moving, 0.5, dt);
+  EXPECT_TRUE(candidacy.is_candidate) << "not confirmed";
+  candidacy.confirmed = 0.2;
+  candidacy.decide(State::NotObservable, 0.5, dt);
+  EXPECT_TRUE(candidacy.is_candidate);
+  candidacy.decide(State::Moving, 0.5, dt);
+  EXPECT_FALSE(candidacy.is_candidate);
+  for (int i = 0; i < 10; ++i) candidacy.decide(State::Moving, 0, dt);
+  EXPECT_TRUE(candidacy.is_candidate) << "its pixels contradict a standing scene no more";
+}
+
+}  // namespace

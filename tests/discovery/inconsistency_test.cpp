@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/discovery/inconsistency.hpp"
+
+#include <gtest/gtest.h>
+
+#include "dot/camera/depth_noise.hpp"
+#include "dot/camera/pinhole.hpp"
+
+namespace {
+
+using dot::CellFrame;
+using dot::CellMotion;
+using dot::DepthNoise;
+using dot::Image;
+using dot::Inconsistency;
+using dot::Pinhole;
+using dot::SE3d;
+using dot::Vector3;
+
+constexpr int width = 60, height = 40;
+constexpr float wall = 0.05f, box = 0.1f;  // 1/m
+
+/// Cells of a wall with a box of the given columns before it, rows 10 to 30; all of one grey value.
+CellFrame scene(int box_begin, int box_end, float box_q = box) {
+  Image<float> q(width, height);
+  Image<std::uint8_t> grey(width, height);
+  q.fill(wall);
+  grey.fill(100);
+  for (int y = 10; y < 30; ++y)
+    for (int x = box_begin; x < box_end; ++x) q(x, y) = box_q;
+  CellFrame frame;
+  frame.build(grey, q);
+  return frame;
+}
+
+DepthNoise noise() {
+  dot::DepthNoiseSettings settings;
+  settings.source = dot::DepthSource::Stereo;
+  return {settings, {400, 400, 0, 0, 4 * width, 4 * height, 0.5}};  // 0.3 px / 200 px m = 0.0015 1/m a pixel
+}
+
+struct Case {
+  Pinhole camera{{100, 100, 29.5, 19.5, width, height, 0.5}};
+  dot::InconsistencyTest<Pinhole, DepthNoise> test;
+  Inconsistency out;
+  CellMotion motion;
+
+  Case() {
+    test.prepare(camera);
+    out.clear(width, height);
+    motion.seconds = 0.1;
+    motion.adjacent = true;
+  }
+  void compare(const CellFrame& current, const CellFrame& reference) {
+    test(camera, noise(), current, reference, reference.q, motion, out);
+  }
+  int seeds(int x0, int x1) const {
+    int count = 0;
+    for (int y = 10; y < 30; ++y)
+      for (int x = x0; x < x1; ++x) count += out.depth(x, y) > 3;
+    return count;
+  }
+};
+
+TEST(Inconsistency, NothingWhereNothingMoves) {
+  Case c;
+  c.compare(scene(20, 40), scene(20, 40));
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      EXPECT_LT(c.out.depth(x, y), 1) << x << ' ' << y;
+      EXPECT_LT(c.out.photo(x, y), 1) << x << ' ' << y;
+    }
+}
+
+TEST(Inconsistency, CrossingThingEntersFreeSpace) {
+  Case c;
+  c.compare(scene(25, 45), scene(20, 40));
+  EXPECT_EQ(c.seeds(41, 45), 4 * 20);  // its leading part, but for the cell that a fattened edge may explain
+  EXPECT_EQ(c.seeds(20, 25), 0);       // what it uncovered
+  EXPECT_EQ(c.seeds(26, 39), 0);       // where it was before as well
+}
+
+// Fattened edges and half a cell of error in the motion.
+TEST(Inconsistency, ForgivesOneCell) {
+  Case c;
+  c.compare(scene(21, 41), scene(20, 40));
+  EXPECT_EQ(c.seeds(0, width), 0);
+  c.compare(scene(20, 40, 0.09f), scene(19, 41, 0.09f));  // as if its rim had gone to the wall
+  c.compare(scene(20, 40, 0.06f), scene(19, 41, 0.06f));
+  EXPECT_EQ(c.seeds(0, width), 0);
+}
+
+TEST(Inconsistency, NearerThingEntersFreeSpace) {
+  Case c;
+  c.compare(scene(20, 40, 0.12f), scene(20, 40));
+  EXPECT_EQ(c.seeds(21, 39), 18 * 20);
+}
+
+TEST(Inconsistency, RecedingThingLeaves) {
+  Case c;
+  c.compare(scene(20, 40, 0.085f), scene(20, 40));
+  EXPECT_EQ(c.seeds(21, 39), 18 * 20);
+}
+
+// The wall that something uncovered shows the same difference, but nothing of it in the last interval.
+TEST(Inconsistency, UncoveredSurfaceHasNotReceded) {
+  const CellFrame now = scene(0, 0), before = scene(0, 0), old = scene(20, 40, 0.06f);
+  Case c;
+  c.compare(now, before);
+  c.motion.adjacent = false;
+  c.motion.seconds = 0.4;
+  c.compare(now, old);
+  EXPECT_EQ(c.seeds(0, width), 0);
+
+  // A surface that went as far in steady steps has.
+  Case steady;
+  steady.compare(scene(20, 40, 0.05f), scene(20, 40, 0.0525f));
+  steady.motion.adjacent = false;
+  steady.motion.seconds = 0.4;
+  steady.compare(scene(20, 40, 0.05f), old);
+  EXPECT_EQ(steady.seeds(22, 38), 16 * 20);
+}
+
+// A camera that moves sideways sees other parts of the wall beside the box: parallax, not motion.
+TEST(Inconsistency, ParallaxIsExplained) {
+  Case c;
+  c.motion.T_cur_ref = SE3d::translation(Vector3<double>(-0.5, 0, 0));  // 5 cells on the box, 2.5 on the wall
+  c.compare(scene(15, 35), scene(20, 40));
+  EXPECT_EQ(c.seeds(0, width), 0);
+}
+
+TEST(Inconsistency, DoubtAboutTheCameraCounts) {
+  Case sure, unsure;
+  unsure.motion.translation_sigma = 1;
+  sure.compare(scene(20, 40, 0.115f), scene(20, 40));
+  unsure.compare(scene(20, 40, 0.115f), scene(20, 40));
+  EXPECT_GT(sure.out.depth(30, 20), 3);
+  EXPECT_LT(unsure.out.depth(30, 20), 2);
+}
+
+TEST(Inconsistency, IntensityAfterGainAndOffset) {
+  CellFrame now = scene(0, 0), before = scene(0, 0);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) now.grey(x, y) = 85;  // 0.8 * 100 + 5
+  for (int y = 15; y < 25; ++y)
+    for (int x = 20; x < 30; ++x) now.grey(x, y) = 60;
+  Case c;
+  c.motion.gain = 0.8;
+  c.motion.offset = 5;
+  c.compare(now, before);
+  EXPECT_GT(c.out.photo(25, 20), 10);
+  EXPECT_LT(c.out.photo(45, 20), 1);
+}
+
+TEST(Inconsistency, NoMeasurementSaysNothing) {
+  CellFrame empty = scene(0, 0);
+  empty.q.fill(0);
+  empty.nearest.fill(0);
+  empty.farthest.fill(0);
+  Case c;
+  c.compare(scene(20, 40), empty);
+  c.compare(empty, scene(20, 40));
+  EXPECT_EQ(c.seeds(0, width), 0);
+}
+
+}  // namespace

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/frame/frame_store.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "dot/kernel/portable_kernels.hpp"
+#include "support/synthetic_scene.hpp"
+
+namespace {
+
+using dot::FramePtr;
+using dot::FrameStore;
+
+/// A frame of one grey value, 2 m away.
+struct Plain {
+  std::vector<std::uint8_t> grey;
+  std::vector<float> depth;
+  dot::Frame frame;
+  explicit Plain(std::uint8_t value) : grey(280 * 96, value), depth(280 * 96, 2.f) {
+    frame.id = value;
+    frame.timestamp = 0.1 * value;
+    frame.image = {grey.data(), 280, 96, 280, dot::PixelFormat::Grey8};
+    frame.depth = {depth.data(), 280, 96, 280 * 4, dot::PixelFormat::DepthF32};
+  }
+};
+
+FramePtr add(FrameStore& store, std::uint8_t value, double max_depth = 100, const dot::DepthBias& bias = {}) {
+  const Plain plain(value);
+  return store.add(plain.frame, bias, {3, max_depth}, dot::portable_kernels(), dot::Threads{});
+}
+
+TEST(FrameStore, BuildsBothPyramids) {
+  FrameStore store;
+  const FramePtr frame = add(store, 7);
+  EXPECT_EQ(frame->id, 7u);
+  EXPECT_EQ(frame->timestamp, 0.1 * 7);
+  ASSERT_EQ(frame->pyramid.size(), 3);
+  EXPECT_EQ(frame->pyramid.levels[2].width(), 70);
+  EXPECT_EQ(frame->pyramid.levels[2](3, 3), 7);
+  EXPECT_EQ(frame->inverse_depth()(10, 10), 0.5f);
+}
+
+TEST(FrameStore, FartherThanTheLimitIsNotMeasured) {
+  FrameStore store;
+  EXPECT_LE(add(store, 1, 1.5)->inverse_depth()(10, 10), 0);
+}
+
+TEST(FrameStore, SubtractsTheBias) {
+  FrameStore store;
+  dot::DepthBias bias;
+  bias.coefficients[0] = 0.1;
+  const FramePtr frame = add(store, 1, 100, bias);
+  EXPECT_NEAR(frame->inverse_depth()(10, 10), 0.4f, 1e-6f);
+  EXPECT_EQ(frame->bias.coefficients, bias.coefficients);
+}
+
+TEST(FrameStore, LeavesAloneWhatIsLent) {
+  FrameStore store;
+  const FramePtr kept = add(store, 1);
+  for (std::uint8_t value = 2; value < 20; ++value) add(store, value);
+  EXPECT_EQ(kept->id, 1u);
+  EXPECT_EQ(kept->pyramid.levels[0](5, 5), 1);
+}
+
+TEST(FrameStore, UsesItsMemoryAgain) {
+  FrameStore store;
+  std::set<const std::uint8_t*> seen;
+  FramePtr previous, current;
+  for (std::uint8_t value = 1; value < 20; ++value) {
+    previous = std::move(current);
+    current = add(store, value);
+    seen.insert(current->pyramid.levels[0].row(0));
+  }
+  EXPECT_EQ(seen.size(), 2u) << "the new frame is built while the one before is held";
+  EXPECT_EQ(store.capacity(), 2u);
+}
+
+}  // namespace

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/object_motion/estimator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "dot/camera/depth_noise.hpp"
+#include "support/exact_points.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using dot::ObjectFit;
+using dot::ObjectMotionEstimator;
+using dot::SE3d;
+using dot::Vector3;
+using dot::test::Random;
+
+constexpr double dt = 0.1;
+
+/// A thing of fine texture that moves; the camera stands. Its measured depth scatters about the truth, its points' does
+/// not.
+struct MovingBox {
+  static constexpr int kLevels = 4;
+  const dot::Pinhole camera{dot::test::small_camera()};
+  const Vector3<double> velocity{2, 0, 0};
+  dot::ObjectReference reference;
+  dot::Pyramid image;
+  dot::DepthPyramid depth;
+  dot::Image<std::uint8_t> hidden;
+
+  /// @param scatter 1/m. @param before_it what stands between it and the camera.
+  explicit MovingBox(unsigned seed, double scatter = 0, const std::vector<dot::test::Body>& before_it = {}) {
+    dot::test::Body body = dot::test::box(7, {0.7, 0.6, 0.4}, seed, 0.07, 0.15, 15);
+    body.T_world_body.t = {-0.1, 0, 3.4};
+    dot::test::Scene scene{{dot::test::hopper(seed + 20, 1, 2.5, 60), body}};
+    scene.bodies.insert(scene.bodies.end(), before_it.begin(), before_it.end());
+    const dot::test::Rendering before = scene.render(camera, SE3d{});
+    scene.bodies[1].T_world_body.t += velocity * dt;
+    const dot::test::Rendering now = scene.render(camera, SE3d{});
+    dot::Pyramid pyramid;
+    pyramid.build(before.grey.view(), kLevels);
+    image.build(now.grey.view(), kLevels);
+    dot::Image<float> q = now.inverse_depth();
+    Random random(seed);
+    for (int y = 0; y < q.height(); ++y)
+      for (int x = 0; x < q.width(); ++x) q(x, y) += static_cast<float>(random.normal(scatter));
+    depth.build(
+        q.width(), q.height(), [&](int y, float* out) { std::copy_n(q.row(y), q.width(), out); }, kLevels);
+    hidden.resize(q.width(), q.height());
+    hidden.fill(0);
+    reference.points = dot::test::exact_points(
+        before, camera, pyramid, 4, [&](int x, int y) { return before.ids(x, y) == 7; }, 1e-4f);
+    for (std::size_t i = 0; i < reference.points.u.size(); ++i)
+      reference.centroid += Vector3<double>(reference.points.x[i], reference.points.y[i], 1) /
+                            (static_cast<double>(reference.points.q[i]) * reference.points.size());
+    reference.area = 16 * reference.points.size();
+  }
+
+  static dot::CameraSince standing_camera() {
+    dot::CameraSince camera;
+    camera.intervals = 1;
+    return camera;
+  }
+
+  dot::KnownVelocity known() const { return {velocity, 0.01 * dot::Matrix3<double>::Identity(), dt}; }
+
+  ObjectFit fit(const dot::KnownVelocity& known, const std::vector<SE3d>& starts,
+                const dot::DepthNoise& noise = {{}, dot::test::small_camera()},
+                const ObjectMotionEstimator& estimator = {}) const {
+    dot::DirectAligner<> aligner;
+    dot::MinimaWorkspace workspace;
+    const dot::ReferencePair pair{reference, standing_camera(), dt};
+    return estimator.fit(pair, dot::ObjectScene<dot::Pinhole>{image, camera, depth, hidden.view()}, starts, known,
+                         noise, aligner, workspace);
+  }
+};
+
+/// That moves out from behind a pillar of coarse, strong texture.
+struct HalfHidden : MovingBox {
+  explicit HalfHidden(unsigned seed) : MovingBox(seed, 0, {pillar(seed + 40)}) {}
+
+  static dot::test::Body pillar(unsigned seed) {
+    dot::test::Body body = dot::test::box(9, {0.35, 1.5, 0.2}, seed, 0.3, 1, 70);
+    body.T_world_body.t = {-0.15, 0, 2.2};
+    return body;
+  }
+};
+
+// Coarse levels mix what is seen of it with what stands before it, and stand still with that.
+TEST(ObjectFit, StaysWhereTheObjectIsKnownToBe) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const HalfHidden scene(seed);
+    const std::vector<SE3d> starts{SE3d::translation(scene.velocity * dt * 1.05)};
+    EXPECT_EQ(scene.fit({}, starts).reason, dot::Reason::LowCorrelation) << seed;
+    const ObjectFit fit = scene.fit(scene.known(), starts);
+    EXPECT_TRUE(fit.ok()) << seed;
+    EXPECT_LT((fit.motion.velocity - scene.velocity).norm(), 0.2) << seed;
+  }
+}
+
+// A car's paint may have four times the noise of the road that taught it: what a fit says of the depth's part of its
+// error follows.
+TEST(ObjectFit, IsAsUnsureAsItsOwnDepthScatters) {
+  ObjectMotionEstimator estimator;
+  estimator.velocity.photometric_scale = estimator.velocity.floor = 0;
+  dot::DepthNoise noise({}, dot::test::small_camera());
+  noise.pixel_scale = noise.shared_scale = noise.shared_drift_scale = 0.1;
+  const double taught = noise.pixel_sigma(1 / 3.4);
+  const auto sigma = [&](double scatter) {
+    const MovingBox scene(1, scatter * taught);
+    const ObjectFit fit = scene.fit({}, {SE3d::translation(scene.velocity * dt)}, noise, estimator);
+    EXPECT_TRUE(fit.ok()) << scatter;
+    return std::sqrt(fit.motion.covariance.trace());
+  };
+  EXPECT_NEAR(sigma(1) / sigma(0), 1, 0.02);
+  EXPECT_GT(sigma(4) / sigma(2), 1.5);
+}
+
+// All of them would lie behind the camera.
+TEST(ObjectFit, NeedsNoStart) {
+  const HalfHidden scene(1);
+  EXPECT_EQ(scene.fit(scene.known(), {}).reason, dot::Reason::LeavesImage);
+}
+
+}  // namespace

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/tracks/tracks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/stage_film.hpp"
+
+// All objects, without a pipeline about them.
+
+namespace {
+
+using namespace dot::test;
+using dot::CameraStatus;
+using dot::Observation;
+using dot::Reason;
+using dot::State;
+using dot::Track;
+using dot::Vector3;
+
+constexpr std::uint32_t parked = 1, mover = 2;
+
+Film<> street() {
+  Film<> film;
+  film.degradation.noise = 1;
+  film.add(parked, straight({2.6, 1.3, 9}));
+  film.add(mover, straight({-3, 1.3, 7.5}, {3, 0, 0}));
+  return film;
+}
+
+struct Street : StageFilm {
+  StageSetup setup;
+  DefaultTracks tracks;
+  dot::Discovery<dot::Pinhole, dot::DepthNoise> discovery;
+  int too_small = 0;
+
+  Street() : StageFilm(street()) { tracks.prepare({}, setup.threads); }
+
+  /// The next frame, with its masks or without.
+  void next(bool segmented) {
+    advance();
+    if (segmented) observe();
+    play(segmented);
+  }
+  void play(bool segmented) {
+    tracks.drop_lost();
+    tracks.predict(tracks.all(), interval(), setup);
+    tracks.assign(observations, setup.mask);
+    tracks.follow(tracks.all(), interval(), observations, discovery, setup);
+    too_small = tracks.place(interval(), segmented, observations, discovery, setup);
+    for (Track* t : tracks.all()) tracks.remember(*t, *cur, setup, tracks.workers()[0]);
+  }
+  const Track* find(std::uint32_t instance) {
+    for (const Track* t : tracks.all())
+      if (t->identity.instance_id == instance) return t;
+    return nullptr;
+  }
+};
+
+TEST(Tracks, TellWhatMovesFromWhatStands) {
+  Street street;
+  for (int i = 0; i < 5; ++i) street.next(true);
+  ASSERT_EQ(street.tracks.size(), 2u);
+  EXPECT_EQ(street.find(parked)->belief.state, State::Static);
+  EXPECT_EQ(street.find(mover)->belief.state, State::Moving);
+  EXPECT_LT((street.find(mover)->belief.velocity_now - Vector3<double>(3, 0, 0)).norm(), 0.3);
+}
+
+TEST(Tracks, CarryOutlinesWhereNoMaskComes) {
+  Street street;
+  for (int i = 0; i < 4; ++i) street.next(i == 0);
+  for (const std::uint32_t id : {parked, mover}) {
+    const dot::Mask &mask = street.find(id)->outline.mask, truth = street.mask(id);
+    EXPECT_GT(dot::iou(mask, truth), 0.85) << id;
+    EXPECT_TRUE(street.find(id)->outline.is_newest);
+  }
+}
+
+TEST(Tracks, WithoutACameraNothingIsComparedAndNothingIsNewest) {
+  Street street;
+  street.next(true);
+  street.next(false);
+  street.advance();
+  street.camera_step.status = CameraStatus::Lost;
+  street.play(false);
+  const Track* t = street.find(parked);
+  EXPECT_EQ(t->motion.step.fit.reason, Reason::CameraLost);
+  EXPECT_FALSE(t->outline.is_newest);
+  EXPECT_EQ(t->motion.references.size(), 1u) << "this frame alone";
+}
+
+TEST(Tracks, LookBackWhereANewObjectBegins) {
+  Street street;
+  street.advance();
+  street.play(false);
+  street.next(true);
+  const Track* t = street.find(mover);
+  ASSERT_NE(t, nullptr);
+  EXPECT_TRUE(t->motion.step.fit.ok());
+  EXPECT_LT((t->motion.step.fit.motion.velocity - Vector3<double>(3, 0, 0)).norm(), 0.3);
+  EXPECT_NEAR(t->motion.step.evidence.span_seconds, 0.1, kClockError);
+}
+
+TEST(Tracks, ASmallInstanceStartsNone) {
+  Street street;
+  street.advance();
+  street.observe();
+  Observation& small = street.observations.add();
+  dot::fill_mask(
+      {5, 5, 5, 5}, [](int, int) { return true; }, small.mask);
+  small.instance_id = 77;
+  street.play(true);
+  EXPECT_EQ(street.too_small, 1);
+  EXPECT_EQ(street.find(77), nullptr);
+  EXPECT_EQ(street.tracks.size(), 2u);
+}
+
+TEST(Tracks, WhatAMaskShouldShowAndDoesNotIsContradictedThenLost) {
+  Street street;
+  street.next(true);
+  street.film.edit = [](int, dot::Frame&) {};
+  street.film.spoil = [](int, Rendering& seen) {
+    for (int y = 0; y < seen.ids.height(); ++y)
+      for (int x = 0; x < seen.ids.width(); ++x)
+        if (seen.ids(x, y) == parked) seen.ids(x, y) = 0;
+  };
+  street.setup.mask.keep_seconds = 0.25;
+  street.next(true);
+  EXPECT_TRUE(street.find(parked)->outline.contradicted);
+  EXPECT_FALSE(street.find(parked)->lost);
+  street.next(true);
+  street.next(true);
+  EXPECT_TRUE(street.find(parked)->lost);
+  EXPECT_EQ(street.find(parked)->motion.step.fit.reason, Reason::Lost);
+  street.next(true);
+  EXPECT_EQ(street.find(parked), nullptr);
+  EXPECT_EQ(street.find(mover)->identity.id, 2u);
+}
+
+TEST(Tracks, OnlyTheLargestAreFollowed) {
+  Street street;
+  street.setup.estimator.settings.max_fitted = 1;
+  street.next(true);
+  street.next(true);
+  const bool parked_is_larger = street.mask(parked).area > street.mask(mover).area;
+  EXPECT_EQ(street.find(parked)->followed, parked_is_larger);
+  const Track* other = street.find(parked_is_larger ? mover : parked);
+  EXPECT_FALSE(other->followed);
+  EXPECT_EQ(other->motion.no_reference, Reason::TooManyObjects);
+}
+
+TEST(Tracks, AreCarriedWithoutOldFramesAfterAGap) {
+  Street street;
+  street.next(true);
+  street.next(true);
+  street.tracks.forget_references();
+  EXPECT_TRUE(street.find(mover)->motion.references.empty());
+  EXPECT_EQ(street.find(mover)->motion.no_reference, Reason::NoReference);
+  EXPECT_EQ(street.tracks.size(), 2u);
+}
+
+}  // namespace

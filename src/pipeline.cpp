@@ -3,6 +3,15 @@
 
 /// @file
 /// The default pipeline for those who use the header tier: see pipeline/compiled.hpp and abi.hpp.
+// The alignments that Eigen has by itself on most machines, whatever flags the build has: hosts with others compile it
+// themselves.
+#undef EIGEN_DONT_ALIGN
+#undef EIGEN_DONT_ALIGN_STATICALLY
+#undef EIGEN_MAX_ALIGN_BYTES
+#undef EIGEN_MAX_STATIC_ALIGN_BYTES
+#undef DOT_ABI_TAG
+#define EIGEN_MAX_ALIGN_BYTES 16
+#define EIGEN_MAX_STATIC_ALIGN_BYTES 16
 #define DOT_BUILDS_PIPELINE
 #include "dot/dot.hpp"
 

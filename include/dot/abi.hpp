@@ -16,7 +16,9 @@
 #ifdef DOT_ABI_TAG
 #define DOT_HAS_OWN_ABI_TAG
 #else
-#if EIGEN_MAX_ALIGN_BYTES >= 64
+#if EIGEN_MAX_STATIC_ALIGN_BYTES == 0 && EIGEN_MAX_ALIGN_BYTES > 0
+#define DOT_ABI_TAG eigen_unaligned
+#elif EIGEN_MAX_ALIGN_BYTES >= 64
 #define DOT_ABI_TAG eigen64
 #elif EIGEN_MAX_ALIGN_BYTES >= 32
 #define DOT_ABI_TAG eigen32
@@ -35,11 +37,14 @@
   }
 
 /// @def DOT_USES_COMPILED_PIPELINE
-/// The static library has the default pipeline, `Dot<>`, compiled: its stages, and what is no template. A unit that
-/// links it takes them from there instead of compiling them again, provided that it sees the Eigen that the library
-/// saw: its version, its alignment, its namespace. All others compile what they use.
-#if defined(DOT_COMPILED_PIPELINE) && !defined(DOT_HAS_OWN_ABI_TAG) && EIGEN_MAX_ALIGN_BYTES == 16
-#if DOT_COMPILED_PIPELINE == EIGEN_WORLD_VERSION * 10000 + EIGEN_MAJOR_VERSION * 100 + EIGEN_MINOR_VERSION
+/// The static library has the default pipeline, `Dot<>`, compiled: its stages, and all functions marked DOT_INLINE. A
+/// unit that links it takes them from there instead of compiling them again, provided that its types have the same
+/// layout: the same version of Eigen, with the alignments that Eigen has by itself and the namespace that comes of
+/// them, and containers without checks. All other units compile what they use.
+#if defined(DOT_COMPILED_PIPELINE) && !defined(DOT_HAS_OWN_ABI_TAG) && !defined(_GLIBCXX_DEBUG) && \
+    !defined(EIGEN_DEFAULT_TO_ROW_MAJOR)
+#if EIGEN_MAX_ALIGN_BYTES == 16 && EIGEN_MAX_STATIC_ALIGN_BYTES == 16 && \
+    DOT_COMPILED_PIPELINE == EIGEN_WORLD_VERSION * 10000 + EIGEN_MAJOR_VERSION * 100 + EIGEN_MINOR_VERSION
 #define DOT_USES_COMPILED_PIPELINE
 #endif
 #endif

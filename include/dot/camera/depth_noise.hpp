@@ -17,15 +17,15 @@ DOT_BEGIN_NAMESPACE
 /// Depth noise, a policy of the pipeline. Any struct serves that offers, const and for an inverse depth q in 1/m, these
 /// standard deviations in 1/m:
 ///
-///     double pixel_sigma(double q);         // of one pixel
-///     double shared_sigma(double q);        // of the error that an object's pixels share
-///     double shared_drift_sigma(double q);        // of that error's change from one frame of a fit to the other
-///     double prior_pixel_sigma(double q);   // of one pixel, before anything was learnt
-///     double prior_shared_sigma(double q);  // shared, before anything was learnt
+///     double pixel_sigma(double q);          // of one pixel
+///     double shared_sigma(double q);         // of the error that an object's pixels share
+///     double shared_drift_sigma(double q);   // of that error's change from one frame of a fit to the other
+///     double prior_pixel_sigma(double q);    // of one pixel, before anything was learnt
+///     double prior_shared_sigma(double q);   // shared, before anything was learnt
 
 /// Noise of the depth as standard deviation of *inverse depth* q at a point. An error has a part of each pixel and a
 /// part that all pixels of an object share, which no number of pixels averages out. The settings are priors; the
-/// pipeline scales them with what the background shows (pipeline/depth_learning.hpp).
+/// pipeline scales them with what the background shows (camera_motion/depth_learning.hpp).
 struct DepthNoise {
   DepthNoiseSettings settings;
   double focal_baseline = 0;      ///< f b, pixel metres

@@ -28,9 +28,6 @@ struct HostMotion {
 template <typename Camera, typename Noise, typename Aligner>
 class CameraTracker {
  public:
-  /// @param reference_seconds how far back the depth of frames is compared.
-  explicit CameraTracker(double reference_seconds = 0.4) { depth_learning_.reference_seconds = reference_seconds; }
-
   /// The camera's motion from `prev` to `cur` (paper, section 3.3).
   /// @param prev null: there is none. @param seconds from it to `cur`; 0: too long, or there is none.
   CameraStep track(const FramePtr& prev, const FrameData& cur, double seconds, const HostMotion& host,

@@ -30,6 +30,12 @@ struct DepthLearning {
   static constexpr int kMinSamples = 40;                      ///< of the 80 of a patch
   static constexpr int kPatches = 180;                        ///< of a frame that are enough
   static constexpr double kMinMotion = 1.5;                   ///< pixels, median over the samples
+  static constexpr double kSharedQuantile = 0.85;    ///< of the patches' errors: tails are heavier than a normal's
+  static constexpr float kSigmasOfQuantile = 1.44f;  ///< of a normal's magnitude at that quantile
+  static constexpr std::size_t kMinPatches = 5;      ///< of a comparison
+  static constexpr double kOtherSurface = 7;         ///< sigmas of one pixel by which another surface differs
+  static constexpr double kRelief = 0.3;             ///< share of its distance that one surface may span
+  static constexpr double kLeastPixelScale = 0.2, kMostPixelScale = 2;
 
   /// Sampled patches of a frame.
   struct Patches {
@@ -66,8 +72,9 @@ struct DepthLearning {
     /// Blended with the prior 1 as if that were one frame, and a quarter for what a median hides.
     double blended() const {
       if (said.empty()) return 1;
+      constexpr double kHiddenByMedian = 1.25;
       const double n = static_cast<double>(said.size()), v = value();
-      return 1.25 * std::sqrt((n * v * v + 1) / (n + 1));
+      return kHiddenByMedian * std::sqrt((n * v * v + 1) / (n + 1));
     }
   };
 
@@ -135,10 +142,12 @@ struct DepthLearning {
       compare(camera, oldest, inverse_depth, noise, bias, common, nullptr);
     noise.shared_drift_scale = change.blended();
     noise.shared_scale = common.blended();
-    noise.pixel_scale = pixel.said.empty() ? 1 : std::clamp(pixel.value(), 0.2, 2.0);
+    noise.pixel_scale = pixel.said.empty() ? 1 : std::clamp(pixel.value(), kLeastPixelScale, kMostPixelScale);
   }
 
  private:
+  static constexpr double kSigmaOfMad = 1.4826;  ///< of a normal, over its median absolute deviation
+
   template <typename Camera>
   void compare(const Camera& camera, const Patches& p, const Image<float>& inverse_depth, const DepthNoise& noise,
                const DepthBias& bias, Scale& shared, Scale* single) {
@@ -151,8 +160,9 @@ struct DepthLearning {
     for (std::size_t k = 0; k + 1 < p.begin.size(); ++k)
       compare_patch(camera, p, k, static_cast<float>(p.place[k].dot(learnt)), R, t, inverse_depth, noise,
                     single != nullptr);
-    if (medians_.size() < 5 || static_cast<double>(median(motion_.data(), motion_.size())) < kMinMotion) return;
-    shared.add(quantile(medians_.data(), medians_.size(), 0.85) / 1.44f);
+    if (medians_.size() < kMinPatches || static_cast<double>(median(motion_.data(), motion_.size())) < kMinMotion)
+      return;
+    shared.add(quantile(medians_.data(), medians_.size(), kSharedQuantile) / kSigmasOfQuantile);
     if (single) single->add(median(scatters_.data(), scatters_.size()));
   }
 
@@ -187,8 +197,8 @@ struct DepthLearning {
     }
     if (static_cast<int>(differences_.size()) < kMinSamples) return;
     const double middle = 0.5 * static_cast<double>(q_min + q_max);
-    const double other_surface = 7 * noise.prior_pixel_sigma(middle);
-    const double relief = std::max(other_surface, 0.3 * middle);
+    const double other_surface = kOtherSurface * noise.prior_pixel_sigma(middle);
+    const double relief = std::max(other_surface, kRelief * middle);
     if (static_cast<double>(q_max - q_min) > relief) return;  // more than one surface
     const float m = median(differences_.data(), differences_.size());
     if (static_cast<double>(std::abs(m)) > other_surface) return;  // something nearer hides it now
@@ -197,7 +207,7 @@ struct DepthLearning {
     if (!scatter) return;
     for (float& d : differences_) d = std::abs(d - m);
     scatters_.push_back(
-        static_cast<float>(1.4826 * static_cast<double>(median(differences_.data(), differences_.size())) /
+        static_cast<float>(kSigmaOfMad * static_cast<double>(median(differences_.data(), differences_.size())) /
                            std::sqrt(2.0) / noise.prior_pixel_sigma(middle)));
   }
 

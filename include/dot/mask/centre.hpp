@@ -11,7 +11,8 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Of a mask of `area` pixels, the 1000 or more in every so manieth row and column tell its middle and its depth.
+/// Every how many rows and columns of a mask of `area` pixels 1000 of them or more are left: they tell its middle and
+/// its depth.
 inline int sampling_step(int area) { return std::max(1, static_cast<int>(std::sqrt(area / 1000.0))); }
 
 /// Centre of a mask at its median depth, metres, axes of its frame's camera; zero where it has no depth.

@@ -34,6 +34,10 @@ DOT_BEGIN_NAMESPACE
 struct Belief {
   static constexpr double kIndependentSeconds = 0.1;   ///< after which the errors of two fits are independent
   static constexpr double kAccelerationSeconds = 0.1;  ///< for which an acceleration lasts
+  static constexpr double kDrift = 0.35;               ///< of v0: sigma of the velocity of what stands
+  static constexpr double kFreshShare = 0.1;           ///< of a new velocity, beside the filter's prediction
+  static constexpr double kFastVariance = 25;          ///< of motorway speeds, over that of ordinary ones
+  static constexpr double kOutlierVariance = 36;       ///< of a wrong fit's velocity, over that of ordinary speeds
 
   double log_odds = 0;
   Vector3<double> velocity = Vector3<double>::Zero();    ///< if it moves; m/s, axes of the newest camera

@@ -59,8 +59,9 @@ struct ObjectBelief {
 
   /// Whether it moves, and by its velocity alone would now be where it is but for a tenth of its size, metres.
   bool dead_reckoning_is_reliable(double size, double timestamp) const {
+    constexpr double kSmallShare = 0.1;
     return state == State::Moving && has_velocity() &&
-           std::sqrt(velocity_covariance.trace()) * (timestamp - last_fit) < 0.1 * size;
+           std::sqrt(velocity_covariance.trace()) * (timestamp - last_fit) < kSmallShare * size;
   }
 };
 

@@ -20,9 +20,15 @@ template <typename Noise>
 Matrix3<double> displacement_covariance(const ReferencePair& pair, const Alignment& a, const Vector3<double>& moved,
                                         const VelocitySettings& settings, const Noise& noise) {
   constexpr double kSteadySeconds = 0.25;  // for which depth errors change less than they are large
+  constexpr double kScatterOfFit = 1.2;    // of measured depths about a good fit, over the noise of one pixel
+  constexpr double kMostExcess = 4;        // times as noisy as the background that an object's depth may be
+  // Variances of the modes, by which standing objects are most likely (docs/decisions.md, covariance of the velocity):
+  // paint and glass have worse depth than the background.
+  constexpr double kConstantMode = 1.6, kSlopeModes = 0.06;  // of the shared variance
+  constexpr int kIndependentPixels = 60;                     // of an area that say what one without correlation would
   const ObjectReference& reference = pair.reference;
   const double q = 1 / std::max(0.05, reference.centroid.z());
-  const double excess = std::clamp(a.depth_scatter / (1.2 * noise.pixel_sigma(q)), 1.0, 4.0);
+  const double excess = std::clamp(a.depth_scatter / (kScatterOfFit * noise.pixel_sigma(q)), 1.0, kMostExcess);
   const double common = excess * noise.shared_sigma(q), pixel = excess * noise.pixel_sigma(q);
   const double change =
       pair.seconds > kSteadySeconds ? std::max(common, noise.shared_drift_sigma(q)) : noise.shared_drift_sigma(q);
@@ -31,10 +37,10 @@ Matrix3<double> displacement_covariance(const ReferencePair& pair, const Alignme
     const Vector3<double> x = mode.head<3>();
     V += variance * x * x.transpose();
   };
-  // What standing objects make most likely of the modes: paint and glass have worse depth than the background.
-  add(a.depth_modes[0], 1.6 * common * common + 60 * pixel * pixel / std::max(60, reference.area));
-  add(a.depth_modes[1], 0.06 * common * common);
-  add(a.depth_modes[2], 0.06 * common * common);
+  add(a.depth_modes[0], kConstantMode * common * common +
+                            kIndependentPixels * pixel * pixel / std::max(kIndependentPixels, reference.area));
+  add(a.depth_modes[1], kSlopeModes * common * common);
+  add(a.depth_modes[2], kSlopeModes * common * common);
   add(a.depth_modes[3], change * change);
   return V +
          camera_share(pair.camera.covariance, pair.camera.T_now_ref, Vector3<double>(pair.camera.T_now_ref * moved));

@@ -37,9 +37,8 @@ struct ObjectMotionEstimator {
     }
     const AlignProblem<Camera> problem = object_problem(pair, scene, prior, noise);
 
-    // Levels on which the object still has some structure.
     int top = std::min(reference.points.levels, scene.image.size()) - 1;
-    while (top > 0 && std::sqrt(1.0 * reference.area) / (1 << top) < 5) --top;
+    while (top > 0 && std::sqrt(1.0 * reference.area) / (1 << top) < kLeastSize) --top;
     out = best_minimum(pair, problem, starts, starts.size(), top, known, noise, aligner, workspace);
     // Coarse levels mix an object with what hides it and may lead away from where it is known to be.
     if (!out.ok() && known.seconds > 0 && top > kNearLevel && !starts.empty()) {
@@ -59,7 +58,12 @@ struct ObjectMotionEstimator {
   }
 
  private:
-  static constexpr int kNearLevel = 2;  ///< from which a fit starts where it is not to go far
+  static constexpr int kNearLevel = 2;       ///< from which a fit starts where it is not to go far
+  static constexpr double kLeastSize = 5;    ///< pixels of a level on which an object still has some structure
+  static constexpr double kLeastSeen = 0.3;  ///< share of the points inside the image that must be seen
+  static constexpr double kFirstsMargin =
+      0.98;                                 ///< factor on the cost of the first start: equal minima do not alternate
+  static constexpr std::size_t kTried = 4;  ///< minima that are checked
 
   /// Aligned from the first `count` starts, level `top` first: of the minima found the best that holds.
   template <typename Camera, typename Noise, typename Aligner>
@@ -77,7 +81,7 @@ struct ObjectMotionEstimator {
     std::vector<Alignment>& candidates = minima.found;
     // Few points may agree by chance, and better than any others.
     const auto sees_few = [&](const Alignment& a) {
-      return a.seen < settings.min_inliers || a.seen < 0.3 * settings.min_visible * points;
+      return a.seen < settings.min_inliers || a.seen < kLeastSeen * settings.min_visible * points;
     };
     minima.drop_if(sees_few);
     if (fine > 0)
@@ -86,7 +90,7 @@ struct ObjectMotionEstimator {
     // The best minimum that holds before the checks; the best of all says why there is none.
     out.reason = Reason::LeavesImage;
     const auto& order = workspace.ranked;
-    for (std::size_t i = 0; i < std::min<std::size_t>(order.size(), 4); ++i) {
+    for (std::size_t i = 0; i < std::min(order.size(), kTried); ++i) {
       Alignment& a = candidates[order[i].second];
       aligner.reject_outliers_and_refit(problem, a);
       ObjectFit attempt = fit_of(pair, problem, a, noise);
@@ -97,7 +101,7 @@ struct ObjectMotionEstimator {
     return out;
   }
 
-  /// Sets workspace.ranked, the best first. A later start must win by a margin: equal minima should not alternate.
+  /// Sets workspace.ranked, the best first. A later start must win by a margin.
   template <typename Camera, typename Aligner>
   void rank(const AlignProblem<Camera>& problem, const std::vector<Alignment>& candidates, Aligner& aligner,
             MinimaWorkspace& workspace) const {
@@ -110,7 +114,8 @@ struct ObjectMotionEstimator {
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const double cost = aligner.tukey_cost(problem, candidates[i].state, 0, sigma) * (order.empty() ? 0.98 : 1);
+      const double cost =
+          aligner.tukey_cost(problem, candidates[i].state, 0, sigma) * (order.empty() ? kFirstsMargin : 1);
       if (std::isfinite(cost)) order.push_back({cost, i});
     }
     std::sort(order.begin(), order.end());
@@ -147,7 +152,7 @@ struct ObjectMotionEstimator {
   Reason check(int points, const Alignment& a, const ObjectFit& out, const KnownVelocity& known) const {
     if (!a.state.T.t.allFinite() || !out.motion.velocity.allFinite()) return Reason::Diverged;
     if (a.inside < settings.min_points || a.inside < settings.min_visible * points) return Reason::LeavesImage;
-    if (a.seen < settings.min_inliers || a.seen < 0.3 * a.inside) return Reason::Occluded;
+    if (a.seen < settings.min_inliers || a.seen < kLeastSeen * a.inside) return Reason::Occluded;
     if (!has_covariance(a) || !out.motion.covariance.allFinite()) return Reason::Diverged;
     const bool expected = known.seconds > 0 && !known.contradicts(out.motion, settings.max_acceleration);
     if (a.phi < (expected ? settings.min_phi_expected : settings.min_phi)) return Reason::LowCorrelation;

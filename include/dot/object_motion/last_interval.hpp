@@ -11,7 +11,8 @@ DOT_BEGIN_NAMESPACE
 /// Variance per axis of what the velocity over the last `dt` may differ from that over the whole `span` before: it
 /// may have changed since the middle of it, of traffic mostly by a third of `acceleration`, m/s^2.
 inline double variance_of_change(double span, double dt, double acceleration) {
-  const double changed = 0.5 * (0.3 * acceleration) * (span - dt);
+  constexpr double kMostly = 0.3;  // share of the acceleration
+  const double changed = 0.5 * (kMostly * acceleration) * (span - dt);
   return changed * changed;
 }
 

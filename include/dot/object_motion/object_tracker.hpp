@@ -19,16 +19,16 @@ DOT_BEGIN_NAMESPACE
 
 /// The last interval: its two frames, and the camera's motion between them.
 struct Interval {
-  const FrameData* prev = nullptr;  ///< null: there is none
+  const FrameData* prev = nullptr;  ///< for `align_backwards` alone; null where there is none, and in a replay
   const FrameData& cur;
   const CameraStep& camera;
 };
 
 /// Where masks show an object now, for its motion to start from.
 struct ObservedPlaces {
-  const Observation* own = nullptr;          ///< the one that was assigned to it
-  const Observations* unassigned = nullptr;  ///< without that: those that are assigned to none may be it
-  bool discovered = false;                   ///< of these, the discovered ones; else the network's
+  const Observation* own = nullptr;   ///< the one that was assigned to it
+  const Observations* all = nullptr;  ///< without that: those of them that are assigned to no track may be it
+  bool discovered = false;            ///< of these, the discovered ones; else the network's
 };
 
 /// Follows one object from frame to frame (paper, section 3.3, Algorithm 1). It keeps nothing: what is known of the
@@ -69,9 +69,13 @@ struct ObjectTracker {
   void remember(const FrameData& cur, const Mask* mask, Workspace& workspace, ObjectMotion& motion) const;
 
  private:
-  static constexpr std::size_t kRecent = 3;           ///< references that are tried for the last interval
-  static constexpr int kOlder = 3;                    ///< that may tell more
-  static constexpr std::ptrdiff_t kNearestMasks = 3;  ///< without a track, each of which costs an alignment
+  static constexpr std::size_t kRecent = 3;                      ///< references that are tried for the last interval
+  static constexpr int kOlder = 3;                               ///< that may tell more
+  static constexpr std::ptrdiff_t kNearestMasks = 3;             ///< without a track, each of which costs an alignment
+  static constexpr double kNearest = 0.05;                       ///< metres before the camera
+  static constexpr double kSamePixels = 0.5, kSameDepth = 0.01;  ///< within which two starts are one; share of depth
+  static constexpr double kLeastSize = 0.3, kMostSize = 3.3;     ///< of a mask's area, over that of the reference
+  static constexpr double kWorthwhile = 3;  ///< times the least variance of an older fit, which it mostly reaches
 
   struct Following;
 

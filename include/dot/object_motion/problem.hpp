@@ -27,6 +27,10 @@ DOT_INLINE Matrix6<double> prior_information(const MotionPriorSettings& prior, d
 template <typename Camera, typename Noise>
 AlignProblem<Camera> object_problem(const ReferencePair& pair, const ObjectScene<Camera>& scene,
                                     const MotionPriorSettings& prior, const Noise& noise) {
+  constexpr double kHiddenCost = 1;      // of a point that is not seen: an inlier costs about 0.45, an outlier 3.7
+  constexpr double kNearest = 0.05;      // metres
+  constexpr double kAgreeingSigmas = 3;  // by which a depth may differ
+  constexpr int kCorrelatedArea = 45;    // pixels whose depths say together what one says, as of Selector
   const ObjectReference& reference = pair.reference;
   AlignProblem<Camera> problem{reference.points, scene.image, scene.camera};
   problem.T_outer = pair.camera.T_now_ref;
@@ -36,20 +40,21 @@ AlignProblem<Camera> object_problem(const ReferencePair& pair, const ObjectScene
   problem.photometry = {SE3d{}, pair.camera.gain, pair.camera.offset};
   problem.gain_information = 1 / (prior.gain * prior.gain);
   problem.offset_information = 1 / (prior.offset * prior.offset);
-  problem.hidden_cost = 1;  // an inlier costs about 0.45, an outlier 3.7
-  const double q = 1 / std::max(0.05, reference.centroid.z());
+  problem.hidden_cost = kHiddenCost;
+  const double q = 1 / std::max(kNearest, reference.centroid.z());
   const double pixel = noise.pixel_sigma(q), change = noise.shared_drift_sigma(q);
   problem.depth.inverse_depth = scene.depth.levels[0].view();
   problem.depth_pyramid = &scene.depth;
   problem.depth.hidden = scene.hidden;
   problem.depth.sigma = static_cast<float>(std::sqrt(pixel * pixel + change * change));
   // On an object the depth may be worse than on the background that taught its noise.
-  problem.depth.agreement =
-      static_cast<float>(3 * std::max(std::sqrt(pixel * pixel + change * change),
-                                      std::hypot(noise.prior_pixel_sigma(q), noise.prior_shared_sigma(q))));
+  problem.depth.agreement = static_cast<float>(
+      kAgreeingSigmas * std::max(std::sqrt(pixel * pixel + change * change),
+                                 std::hypot(noise.prior_pixel_sigma(q), noise.prior_shared_sigma(q))));
   // Neighbouring depths are not independent, and all share the change of the common error: together they are worth
   // N = 1 / (A_corr / area + change^2 / pixel^2) measurements.
-  const double n = 1 / (45.0 / std::max(45, reference.area) + change * change / (pixel * pixel));
+  const double n =
+      1 / (1.0 * kCorrelatedArea / std::max(kCorrelatedArea, reference.area) + change * change / (pixel * pixel));
   problem.depth.weight = static_cast<float>(n / std::max(1, reference.points.size()));
   return problem;
 }

@@ -21,20 +21,29 @@ struct VelocitySearch {
             MinimaWorkspace& workspace, std::vector<SE3d>& starts) const {
     const ObjectReference& reference = pair.reference;
     const int levels = std::min(reference.points.levels, problem.image.size());
-    const int fine = std::min(2, levels - 1);
+    const int fine = std::min(kFineLevel, levels - 1);
     // Traffic mostly goes where the camera does.
     starts.push_back(SE3d::translation(pair.camera.T_now_ref.inverse() * reference.centroid - reference.centroid));
-    try_grid(pair, problem, fine, 8, aligner, workspace, starts);
+    try_grid(pair, problem, fine, kFineSteps, aligner, workspace, starts);
     // What is large may move by many pixels of that level between two frames: also on one where these are few, if the
     // object still has some structure there.
     const double focal = problem.camera.intrinsics().fx, half_size = 0.5 * std::sqrt(1.0 * reference.area);
-    const double pixels = speed * pair.seconds * focal / std::max(0.1, reference.centroid.z());
+    const double pixels = speed * pair.seconds * focal / std::max(kNearest, reference.centroid.z());
     int coarse = fine;
-    while (coarse + 1 < levels && half_size > 6 << (coarse + 1) && pixels > 16 << coarse) ++coarse;
-    if (coarse > fine) try_grid(pair, problem, coarse, 16, aligner, workspace, starts);
+    while (coarse + 1 < levels && half_size > kLeastHalfSize << (coarse + 1) && pixels > kManyPixels << coarse)
+      ++coarse;
+    if (coarse > fine) try_grid(pair, problem, coarse, kCoarseSteps, aligner, workspace, starts);
   }
 
  private:
+  static constexpr int kFineLevel = 2;                        ///< of the pyramid
+  static constexpr int kFineSteps = 8, kCoarseSteps = 16;     ///< to each side
+  static constexpr int kLeastHalfSize = 6, kManyPixels = 16;  ///< pixels of a level, for a coarser one to help
+  static constexpr int kStepsAlong = 6;                       ///< along the ray, to each side
+  static constexpr std::size_t kKept = 3;                     ///< velocities of a grid
+  static constexpr double kNearest = 0.1;                     ///< metres
+  static constexpr double kLeastHalf = 2;                     ///< pixels of a level: half size that is counted with
+
   /// Adds the three best velocities of a grid on one level, up to `steps` to each side.
   template <typename Camera, typename Aligner>
   void try_grid(const ReferencePair& pair, const AlignProblem<Camera>& problem, int level, int steps, Aligner& aligner,
@@ -43,10 +52,10 @@ struct VelocitySearch {
     const AlignState still{problem.T_outer, pair.camera.gain, pair.camera.offset};
     const double sigma = aligner.intensity_sigma(problem, still, level);
     // Steps of two pixels of that level sideways; along the ray as far as makes the same change of scale at the border.
-    const double z = std::max(0.1, reference.centroid.z()), reach = speed * pair.seconds;
+    const double z = std::max(kNearest, reference.centroid.z()), reach = speed * pair.seconds;
     const double focal = problem.camera.intrinsics().fx / (1 << level);
-    const double half_size = std::max(2.0, 0.5 * std::sqrt(1.0 * reference.area) / (1 << level));
-    const double side = std::max(2 * z / focal, reach / steps), along = std::max(z / half_size, reach / 6);
+    const double half_size = std::max(kLeastHalf, 0.5 * std::sqrt(1.0 * reference.area) / (1 << level));
+    const double side = std::max(2 * z / focal, reach / steps), along = std::max(z / half_size, reach / kStepsAlong);
     auto& found = workspace.tried;
     found.clear();
     const int n = static_cast<int>(reach / side), m = static_cast<int>(reach / along);
@@ -57,7 +66,7 @@ struct VelocitySearch {
             aligner.tukey_cost(problem, {problem.T_outer * T_o, still.gain, still.offset}, level, sigma);
         if (std::isfinite(cost)) found.push_back({cost, {T_o}});
       }
-    keep_cheapest(found, 3);
+    keep_cheapest(found, kKept);
     for (const auto& place : found) starts.push_back(place.second.T);
   }
 };

@@ -16,8 +16,8 @@ DOT_BEGIN_NAMESPACE
 /// Gives observations to the tracks that they continue, by where these are expected in the observations' frame.
 class Assignment {
  public:
-  /// By overlap: the network's to any track, and what was discovered to those that no network has shown. Leaves tracks
-  /// and observations alone that have a partner.
+  /// By overlap: the network's to any track, and what was discovered to those that no network has shown.
+  /// @param tracks without an observation. Observations that belong to a track already are left alone.
   void by_overlap(const std::vector<Track*>& tracks, Observations& observations, const MaskSettings& settings) {
     assign_kind(tracks, observations, false, settings);
     if (std::none_of(observations.list.begin(), observations.list.end(), is_open_discovery)) return;

@@ -29,7 +29,7 @@ struct TrackedOutline {
   WarpedMask warped;   ///< the shape in the frame at hand
   SE3d T_frame_shape;  ///< the motion that it was warped by
 
-  Mask mask;                  ///< what is shown in the newest frame
+  Mask mask;                  ///< what is shown in the frame at hand
   bool visible = false;       ///< that is anything
   bool contradicted = false;  ///< the last segmentation did not show it where it should be seen
   double last_seen = 0;       ///< timestamp

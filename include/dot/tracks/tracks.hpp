@@ -15,8 +15,8 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// All objects: who they are from frame to frame, and each one's steps in order. A frame calls `predict`, `assign`,
-/// `follow`, `place` and, once its labels are there, `remember`.
+/// All objects: who they are from frame to frame, and each one's steps in order. A frame calls `prepare`, `drop_lost`,
+/// `predict`, `assign`, `follow`, `place` and, once its labels are there, `remember`.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 class Tracks {
  public:
@@ -37,7 +37,7 @@ class Tracks {
   /// Takes as many workers as there are threads, each with a copy of the aligner.
   void prepare(const Aligner& aligner, const Threads& threads);
 
-  /// All tracks, by id; valid until the next call.
+  /// All tracks, by id; valid until the next call of this, `assign`, `place` or `far_to_near`.
   const List& all() {
     return that([](const Track&) { return true; });
   }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 // compare RESULT_A RESULT_B: two hosts built with different flags must see the same. The compiled tier is the same code
-// in both: equal to the last pixel. The templates were compiled by each host: same states, and label pixels that differ
-// by no more than rounding at an outline.
+// in both: equal to the last pixel. The templates were compiled by each host, or taken from the library where that is
+// the same: same states, and label pixels that differ by no more than rounding at an outline.
 
 #include <filesystem>
 #include <fstream>

@@ -36,7 +36,7 @@ DOT_INLINE void Belief::weigh(const MotionEstimate& e, double v0, const Velocity
   const Matrix3<double>& V = e.covariance;
   const Matrix3<double> I = Matrix3<double>::Identity();
   const double speed2 = sq(s.prior_speed * v0 / s.v0);  // near things are slow things on tables, far ones vehicles
-  const double outlier = s.outliers * density(v, V + 36 * speed2 * I);
+  const double outlier = s.outliers * density(v, V + kOutlierVariance * speed2 * I);
 
   const Vector3<double> zero = Vector3<double>::Zero();
   const Vector3<double> weakest = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(V).eigenvectors().col(2);
@@ -44,19 +44,21 @@ DOT_INLINE void Belief::weigh(const MotionEstimate& e, double v0, const Velocity
   double stands = 0, moves = 0;
   for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, V},
                                  std::pair<double, Matrix3<double>>{s.tail_share, s.tail_variance * V}}) {
-    stands += share * density(v, S + sq(0.35 * v0) * I);
+    stands += share * density(v, S + sq(kDrift * v0) * I);
     double fresh = 0;
-    for (const double scale : {1.0, 25.0}) {  // variances of ordinary and of motorway speed
+    for (const double scale : {1.0, kFastVariance}) {
       const Matrix3<double> any = scale * speed2 * I;
       const Matrix3<double> along_weakest_axis = scale * speed2 * weakest * weakest.transpose() + sq(v0) * I;
       fresh += 0.25 * (hypothesis(v, S, zero, any, v0) + hypothesis(v, S, zero, along_weakest_axis, v0));
     }
-    moves += share * (has_velocity() ? 0.9 * hypothesis(v, S, velocity, covariance, v0) + 0.1 * fresh : fresh);
+    moves +=
+        share *
+        (has_velocity() ? (1 - kFreshShare) * hypothesis(v, S, velocity, covariance, v0) + kFreshShare * fresh : fresh);
   }
   stands = (1 - s.outliers) * stands + outlier;
   moves = (1 - s.outliers) * moves + outlier;
 
-  // Fits that reach back over the same time say the same: of one over `interval`, a frame brings its share.
+  // Fits that reach back over the same time say the same: of one over `span_seconds`, a frame brings its share.
   const double frame = e.span_seconds / e.span_frames;
   const double share = std::min(1.0, frame / std::sqrt(kIndependentSeconds * e.span_seconds));
   const double cap = std::min(s.max_evidence_rate * frame, s.max_evidence);
@@ -67,7 +69,7 @@ DOT_INLINE void Belief::weigh(const MotionEstimate& e, double v0, const Velocity
   const bool agrees =
       has_velocity() && (v - velocity).dot((V + covariance).ldlt().solve(v - velocity)) <= chi2::k5SigmaOf1;
   if (!trust.accept(agrees, frame)) return;
-  if (!agrees) velocity.setZero(), covariance = 25 * speed2 * I;
+  if (!agrees) velocity.setZero(), covariance = kFastVariance * speed2 * I;
   const Matrix3<double> K = covariance * (covariance + std::max(1.0, kIndependentSeconds / frame) * V).inverse();
   velocity += K * (v - velocity);
   covariance = (I - K) * covariance;

@@ -90,7 +90,7 @@ void ObjectTracker<Camera, Noise, Aligner>::fit_older(Following& f) const {
     last = k;
     const ObjectReference& older = f.motion.references[static_cast<std::size_t>(k)];
     const double age = f.interval.cur.timestamp - older.timestamp;
-    const double least = 3 * (variance_of_change(age, seconds, acceleration) + floor * floor);
+    const double least = kWorthwhile * (variance_of_change(age, seconds, acceleration) + floor * floor);
     if (f.step.has_evidence && least >= f.evidence_variance) continue;  // it cannot tell more
     const ReferencePair pair = pair_with_current(f, older);
     f.workspace.starts.assign(1, pair.camera.T_now_ref.inverse() * f.T_c() * f.step.T_o * older.T_obj_now_ref);
@@ -145,10 +145,11 @@ void ObjectTracker<Camera, Noise, Aligner>::set_starts(const Following& f, const
   const double focal = camera.intrinsics().fx;
   const auto add = [&](const SE3d& T_o) {
     const Vector3<double> moved = T_o * r.centroid;
-    if (moved.z() < 0.05) return;
-    for (const SE3d& other : out) {  // the same within half a pixel and one percent of depth
+    if (moved.z() < kNearest) return;
+    for (const SE3d& other : out) {
       const Vector3<double> d = moved - other * r.centroid;
-      if (focal * d.template head<2>().norm() < 0.5 * moved.z() && std::abs(d.z()) < 0.01 * moved.z()) return;
+      if (focal * d.template head<2>().norm() < kSamePixels * moved.z() && std::abs(d.z()) < kSameDepth * moved.z())
+        return;
     }
     out.push_back(T_o);
   };
@@ -162,15 +163,15 @@ void ObjectTracker<Camera, Noise, Aligner>::set_starts(const Following& f, const
     const Vector3<double> d = T_ref_cur * now - r.anchor;
     if (d.norm() > estimator.settings.max_speed * pair.seconds) return;
     const double size = o.mask.area * now.z() * now.z() / (std::max(1, r.area) * r.anchor.z() * r.anchor.z());
-    if (size > 0.3 && size < 3.3) add(SE3d::translation(d));
+    if (size > kLeastSize && size < kMostSize) add(SE3d::translation(d));
   };
   if (f.places.own) return add_observed(*f.places.own);
-  if (!f.places.unassigned) return;
+  if (!f.places.all) return;
   // Those nearest to where it should be.
   auto& nearest = f.workspace.nearest;
   nearest.clear();
   const Vector3<double> expected = T_c * T_o_predicted * r.T_obj_now_ref * r.anchor;
-  for (const Observation& o : f.places.unassigned->list)
+  for (const Observation& o : f.places.all->list)
     if (!o.assigned && o.discovered == f.places.discovered && o.centre.z() > 0)
       nearest.push_back({(o.centre - expected).squaredNorm(), &o});
   if (nearest.size() > kNearestMasks) {

@@ -11,11 +11,11 @@ DOT_INLINE Matrix6<double> prior_information(const MotionPriorSettings& prior, d
   const double t = 1 / std::pow(prior.velocity * dt, 2), r = 1 / std::pow(prior.rotation * dt, 2);
   P.diagonal() << t, t, t, r, r, r;
   if (prior.ground_vehicle) {
-    // Up and down, pitch and roll: a tenth of what is free elsewhere.
+    constexpr double kStiffness = 99;  // up and down, pitch and roll: a tenth of what is free elsewhere, 10^2 - 1
     const Vector3<double> up = Vector3<double>(prior.up_x, prior.up_y, prior.up_z).normalized();
     const Matrix3<double> vertical = up * up.transpose();
-    P.topLeftCorner<3, 3>() += 99 * t * vertical;
-    P.bottomRightCorner<3, 3>() += 99 * r * (Matrix3<double>::Identity() - vertical);
+    P.topLeftCorner<3, 3>() += kStiffness * t * vertical;
+    P.bottomRightCorner<3, 3>() += kStiffness * r * (Matrix3<double>::Identity() - vertical);
   }
   return P;
 }

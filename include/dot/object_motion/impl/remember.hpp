@@ -39,8 +39,9 @@ void ObjectTracker<Camera, Noise, Aligner>::remember(const FrameData& cur, const
   const Vector3<double> centre = centre_of(*mask, cur.inverse_depth(), camera, workspace.selection.values);
   if (centre.z() > 0) {
     // What is half hidden shows a part that is not its middle: then the middle is where its motion carried it.
+    constexpr double kWhole = 0.7;  // of its size
     const double size = std::sqrt(1.0 * mask->area) * centre.z() / camera.intrinsics().fx;
-    if (size > 0.7 * motion.size || !motion.position_now.is_ahead()) motion.position_now = {centre, true};
+    if (size > kWhole * motion.size || !motion.position_now.is_ahead()) motion.position_now = {centre, true};
     motion.size = std::max(motion.size, size);
   }
   ObjectReference& r = motion.references.push_front();

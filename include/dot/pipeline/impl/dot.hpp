@@ -18,14 +18,13 @@ DOT_BEGIN_NAMESPACE
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 Dot<Camera, Classifier, Noise, Aligner>::Dot(const Camera& camera, const Options& options)
-    : camera_(camera), options_(options), camera_tracker_(options.object.reference_seconds) {
+    : camera_(camera), options_(options) {
   validate(options);
   if constexpr (std::is_constructible_v<Noise, DepthNoiseSettings, Intrinsics>)
     depth_noise = Noise(options.depth_noise, camera.intrinsics());
   aligner.settings = options.align;
   camera_estimator.settings = options.camera;
   object_estimator = {options.object, options.motion_prior, options.velocity};
-  discovery_.reference_seconds = options.object.reference_seconds;
   threads.count = options.threads;
   if constexpr (std::is_same_v<Classifier, EntropyClassifier>) {
     classifier.settings = options.entropy;
@@ -39,6 +38,7 @@ Dot<Camera, Classifier, Noise, Aligner>::Dot(const Camera& camera, const Options
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame) {
   validate(frame, camera_.width(), camera_.height(), current_ != nullptr, current_ ? current_->timestamp : 0);
+  stopwatch_.start();
   if (frame.masks)
     observations_.count("frame.masks", *frame.masks, options_.mask.max_instances, camera_.width(), camera_.height());
   reset_unless_done([&] { label_objects(frame); });
@@ -49,7 +49,6 @@ const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame)
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) {
   const auto ends = [this](Stage stage) { result_.stage_ms[static_cast<std::size_t>(stage)] = stopwatch_.lap(); };
-  stopwatch_.start();
   tracks_.prepare(aligner, threads);
   const bool segmented = frame.masks.has_value();
 
@@ -66,7 +65,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   const CameraStep camera_step =
       camera_tracker_.track(previous_, cur, seconds, {frame.camera_motion, frame.camera_prior}, camera_,
                             camera_estimator, worker.aligner, worker.minima);
-  camera_tracker_.learn_depth(cur, camera_step, camera_, options_.align, options_.camera.min_points, depth_noise);
+  camera_tracker_.learn_depth(cur, camera_step, camera_, options_.align, camera_estimator.settings.min_points,
+                              depth_noise);
   late_masks_.advance(camera_step);
   ends(Stage::Camera);
 
@@ -135,8 +135,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::remember(const CameraStep& camera_
     const Selector<Camera, Noise> select{
         camera_,  depth_noise, cur.pyramid, cur.inverse_depth().view(), options_.selection, worker.object.selection,
         kernels()};
-    result_.too_little_depth =
-        !camera_tracker_.take_background(cur, camera_step, labeller_.labels(), select, options_.camera.min_points);
+    result_.too_little_depth = !camera_tracker_.take_background(cur, camera_step, labeller_.labels(), select,
+                                                                camera_estimator.settings.min_points);
   });
 }
 
@@ -150,6 +150,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
                               to_text(options_.mask.late_seconds) + " s ago and " +
                               std::to_string(options_.mask.late_frames) + " at most");
   reset_unless_done([&] {
+    tracks_.prepare(aligner, threads);
     late_masks_.apply(then, masks, current_->timestamp, {tracks_, observations_, labeller_, discovery_, setup()});
   });
 }

@@ -93,7 +93,8 @@ int Tracks<Camera, Classifier, Noise, Aligner>::start(Observations& observations
   }
   choose_followed(setup.estimator.settings.max_fitted);
   // Of more than twice as many as there may be instances, those that were not seen for longest are dropped.
-  drop_surplus(2 * static_cast<std::size_t>(setup.mask.max_instances));
+  constexpr std::size_t kTracksOfInstance = 2;
+  drop_surplus(kTracksOfInstance * static_cast<std::size_t>(setup.mask.max_instances));
   return too_small;
 }
 

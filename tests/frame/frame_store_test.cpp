@@ -59,6 +59,35 @@ TEST(FrameStore, SubtractsTheBias) {
   EXPECT_EQ(frame->bias.coefficients, bias.coefficients);
 }
 
+FramePtr add(FrameStore& store, Plain& plain) {
+  return store.add(plain.frame, {}, {3, 100}, dot::portable_kernels(), dot::Threads{});
+}
+
+TEST(FrameStore, FillsInSparseDepth) {
+  FrameStore store;
+  Plain plain(1);
+  for (std::size_t i = 0; i < plain.depth.size(); ++i) plain.depth[i] = i % 19 == 0 ? 2.f : 0.f;
+  const FramePtr frame = add(store, plain);
+  for (int x = 20; x < 260; ++x) ASSERT_NEAR(frame->inverse_depth()(x, 48), 0.5f, 1e-5f) << x;
+  EXPECT_NEAR(frame->depth.levels[1](70, 24), 0.5f, 1e-5f);
+}
+
+TEST(FrameStore, LeavesDepthAloneThatIsDenseInAPart) {
+  FrameStore store;
+  Plain plain(1);
+  for (std::size_t i = 0; i < plain.depth.size(); ++i) {
+    const std::size_t x = i % 280, y = i / 280;
+    plain.depth[i] = x < 60 && y < 40 ? 2.f + 0.01f * static_cast<float>(i % 7) : 0.f;
+  }
+  const FramePtr frame = add(store, plain);
+  for (int y = 0; y < 96; ++y)
+    for (int x = 0; x < 280; ++x) {
+      const float z = plain.depth[static_cast<std::size_t>(y * 280 + x)];
+      ASSERT_EQ(frame->inverse_depth()(x, y) > 0, z > 0) << x << ' ' << y;
+      ASSERT_NEAR(frame->inverse_depth()(x, y), z > 0 ? 1 / z : 0, 1e-6f) << x << ' ' << y;
+    }
+}
+
 TEST(FrameStore, LeavesAloneWhatIsLent) {
   FrameStore store;
   const FramePtr kept = add(store, 1);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "dot/frame/depth_densifier.hpp"
 #include "dot/frame/frame.hpp"
 #include "dot/frame/frame_data.hpp"
 #include "dot/image/convert.hpp"
@@ -39,10 +40,11 @@ class FrameStore {
       if (part == 0)
         frame.pyramid.build(width, height, GreyRows(input.image, grey_rows_), levels, kernels);
       else if (bias.is_zero())
-        frame.depth.build(width, height, InverseDepthRows(input.depth, settings.max_depth, kernels), levels, kernels);
+        build_depth(InverseDepthRows(input.depth, settings.max_depth, kernels), width, height, levels, kernels,
+                    frame.depth);
       else
-        frame.depth.build(width, height, UnbiasedDepthRows(input.depth, settings.max_depth, bias, depth_rows_, kernels),
-                          levels, kernels);
+        build_depth(UnbiasedDepthRows(input.depth, settings.max_depth, bias, depth_rows_, kernels), width, height,
+                    levels, kernels, frame.depth);
     });
     return newest();
   }
@@ -54,6 +56,33 @@ class FrameStore {
   using Slot = std::shared_ptr<FrameData>;
 
   FramePtr newest() const { return frames_.back(); }
+
+  /// Between sparse measurements the depth is filled in, see DepthDensifier.
+  template <typename Rows>
+  void build_depth(Rows rows, int width, int height, int levels, const kernel::Kernels& kernels, DepthPyramid& out) {
+    if (!may_be_sparse(rows, width, height)) return out.build(width, height, rows, levels, kernels);
+    sparse_.resize(width, height);
+    for (int y = 0; y < height; ++y) rows(y, sparse_.row(y));
+    const double density = DepthDensifier::density(sparse_);
+    const bool is_sparse = density > 0 && density < DepthDensifier::kSparse;
+    if (is_sparse) densify_(sparse_, density, dense_);
+    const Image<float>& filled = is_sparse ? dense_ : sparse_;
+    const auto copy = [&](int y, float* to) { std::copy_n(filled.row(y), width, to); };
+    out.build(width, height, copy, levels, kernels);
+  }
+
+  /// By some of the rows.
+  template <typename Rows>
+  bool may_be_sparse(Rows& rows, int width, int height) {
+    constexpr int kEvery = 8;
+    row_.resize(static_cast<std::size_t>(width));
+    int measured = 0, looked_at = 0;
+    for (int y = kEvery / 2; y < height; y += kEvery, looked_at += width) {
+      rows(y, row_.data());
+      measured += static_cast<int>(std::count_if(row_.begin(), row_.end(), [](float q) { return q > 0; }));
+    }
+    return measured < DepthDensifier::kSparse * looked_at;
+  }
 
   /// A frame that nobody holds, moved to the end.
   FrameData& unused() {
@@ -68,6 +97,9 @@ class FrameStore {
   std::vector<Slot> frames_;  ///< the last one is the newest
   Image<std::uint8_t> grey_rows_;
   Image<float> depth_rows_;
+  std::vector<float> row_;
+  Image<float> sparse_, dense_;
+  DepthDensifier densify_;
 };
 
 DOT_END_NAMESPACE

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "dot/abi.hpp"
+#include "dot/image/image.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Fills in the inverse depth between sparse measurements, as of a lidar, whose points cover a few percent of the
+/// pixels: each pixel gets the value of the plane q = a + b u + c v through the measurements about it. What lies
+/// between two surfaces has none: there the measurements are not on a plane. Nor has what lies beside all measurements.
+class DepthDensifier {
+ public:
+  static constexpr double kSparse = 0.25;  ///< `density` below which an image is sparse
+
+  /// The share of the pixels that are measured about those that are: where depth is dense in a part of the image alone,
+  /// it is near 1. @param q 1/m, <= 0 = not measured. @return 0 where nothing is measured.
+  static double density(const Image<float>& q) {
+    constexpr int kReach = 4, kEvery = 3;  // pixels
+    double measured = 0, looked_at = 0;
+    for (int y = 0; y < q.height(); y += kEvery)
+      for (int x = 0; x < q.width(); ++x) {
+        if (!(q(x, y) > 0)) continue;
+        for (int v = std::max(y - kReach, 0); v <= std::min(y + kReach, q.height() - 1); ++v)
+          for (int u = std::max(x - kReach, 0); u <= std::min(x + kReach, q.width() - 1); ++u)
+            measured += q(u, v) > 0, ++looked_at;
+      }
+    return looked_at > 0 ? measured / looked_at : 0;
+  }
+
+  /// @param sparse 1/m, <= 0 = not measured. @param dense of the same size, is overwritten.
+  void operator()(const Image<float>& sparse, double density, Image<float>& dense) {
+    const int width = sparse.width(), height = sparse.height();
+    choose_window(sparse, density);
+    dense.resize(width, height);
+    columns_.assign(static_cast<std::size_t>(width), Column{});
+    for (int y = -ry_; y < height; ++y) {
+      if (y + ry_ < height) add_row(sparse, y + ry_, 1);
+      if (y - ry_ - 1 >= 0) add_row(sparse, y - ry_ - 1, -1);
+      if (y >= 0) fit_row(sparse, y, dense);
+    }
+  }
+
+ private:
+  static constexpr double kWanted = 20;       ///< measurements in a window
+  static constexpr int kLeast = 6;            ///< that tell a plane
+  static constexpr double kSpread = 0.015;    ///< share of the inverse depth: sigma about the plane of one surface
+  static constexpr double kOffCentre = 0.6;   ///< share of the window by which their middle may be beside the pixel
+  static constexpr double kSlopePrior = 0.1;  ///< square pixels: keeps a row of measurements from tilting its plane
+  static constexpr int kMostReach = 40;       ///< pixels
+
+  /// Sums over the rows of the window, of the measurements of a column.
+  struct Column {
+    double n = 0, v = 0, vv = 0, q = 0, vq = 0, qq = 0;
+  };
+  /// Sums over the window.
+  struct Sums {
+    double n = 0, u = 0, v = 0, uu = 0, uv = 0, vv = 0, q = 0, uq = 0, vq = 0, qq = 0;
+
+    void add(const Column& c, double x, double sign) {
+      n += sign * c.n, u += sign * x * c.n, uu += sign * x * x * c.n;
+      v += sign * c.v, uv += sign * x * c.v, vv += sign * c.vv;
+      q += sign * c.q, uq += sign * x * c.q, vq += sign * c.vq, qq += sign * c.qq;
+    }
+  };
+
+  /// Of a shape that has as many measurements to the sides as above and below: a lidar's beams are farther apart than
+  /// its azimuth steps.
+  void choose_window(const Image<float>& q, double density) {
+    // How often the neighbour in the row, or in the column, is measured within a few pixels.
+    constexpr int kNear = 8;
+    double along = 0, across = 0;
+    int samples = 0;
+    for (int y = 0; y + kNear < q.height(); y += 3)
+      for (int x = 0; x + kNear < q.width(); ++x) {
+        if (!(q(x, y) > 0)) continue;
+        ++samples;
+        for (int d = 1; d <= kNear; ++d) along += q(x + d, y) > 0, across += q(x, y + d) > 0;
+      }
+    const double ratio = samples > 0 ? std::clamp((along + 1) / (across + 1), 0.25, 4.0) : 1;
+    const double area = kWanted / std::max(density, 1e-3), side = std::sqrt(area);
+    rx_ = std::clamp(static_cast<int>(0.5 * side / std::sqrt(ratio)), 2, kMostReach);
+    ry_ = std::clamp(static_cast<int>(0.5 * side * std::sqrt(ratio)), 2, kMostReach);
+  }
+
+  void add_row(const Image<float>& sparse, int y, double sign) {
+    const float* row = sparse.row(y);
+    const double v = y;
+    for (int x = 0; x < sparse.width(); ++x) {
+      if (!(row[x] > 0)) continue;
+      Column& c = columns_[static_cast<std::size_t>(x)];
+      const double q = static_cast<double>(row[x]);
+      c.n += sign, c.v += sign * v, c.vv += sign * v * v;
+      c.q += sign * q, c.vq += sign * v * q, c.qq += sign * q * q;
+    }
+  }
+
+  void fit_row(const Image<float>& sparse, int y, Image<float>& dense) {
+    const int width = sparse.width();
+    const auto column = [this](int x) -> const Column& { return columns_[static_cast<std::size_t>(x)]; };
+    Sums s;
+    for (int x = 0; x < std::min(rx_, width); ++x) s.add(column(x), x, 1);
+    for (int x = 0; x < width; ++x) {
+      if (x + rx_ < width) s.add(column(x + rx_), x + rx_, 1);
+      if (x - rx_ - 1 >= 0) s.add(column(x - rx_ - 1), x - rx_ - 1, -1);
+      const float fitted = value(s, x, y), measured = sparse(x, y);
+      dense(x, y) = fitted > 0 ? fitted : std::max(measured, 0.f);
+    }
+  }
+
+  /// Of the window's plane at the pixel; 0 where there is none.
+  float value(const Sums& s, double x, double y) const {
+    if (s.n < kLeast - 0.5) return 0;
+    const double u = s.u / s.n - x, v = s.v / s.n - y, q = s.q / s.n;
+    if (std::abs(u) > kOffCentre * rx_ || std::abs(v) > kOffCentre * ry_) return 0;
+    const double mu = s.u / s.n, mv = s.v / s.n;
+    const double uu = s.uu / s.n - mu * mu + kSlopePrior, vv = s.vv / s.n - mv * mv + kSlopePrior;
+    const double uv = s.uv / s.n - mu * mv, uq = s.uq / s.n - mu * q, vq = s.vq / s.n - mv * q;
+    const double det = uu * vv - uv * uv;
+    const double b = (vv * uq - uv * vq) / det, c = (uu * vq - uv * uq) / det;
+    const double variance = s.qq / s.n - q * q - b * uq - c * vq;
+    if (variance > kSpread * kSpread * q * q) return 0;
+    return static_cast<float>(q - b * u - c * v);
+  }
+
+  int rx_ = 0, ry_ = 0;  ///< half sizes of the window, pixels
+  std::vector<Column> columns_;
+};
+
+DOT_END_NAMESPACE

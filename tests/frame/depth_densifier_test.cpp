@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/frame/depth_densifier.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "support/random.hpp"
+
+namespace {
+
+using dot::DepthDensifier;
+using dot::Image;
+
+constexpr int kWidth = 160, kHeight = 120;
+using Surface = std::function<float(int, int)>;
+
+float road(int x, int y) { return 0.02f + 2e-3f * static_cast<float>(y) + 1e-4f * static_cast<float>(x); }
+constexpr float kNear = 0.25f, kFar = 0.05f;
+bool in_box(int x, int y) { return x >= 50 && x < 110 && y >= 40 && y < 90; }
+float box_before_wall(int x, int y) { return in_box(x, y) ? kNear : kFar; }
+
+/// Every so manieth pixel, at random.
+Image<float> scattered(const Surface& surface, double share, unsigned seed = 1) {
+  dot::test::Random random(seed);
+  Image<float> q(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) q(x, y) = random.uniform() < share ? surface(x, y) : 0;
+  return q;
+}
+
+/// Beams `rows` apart, a measurement every `columns` along them.
+Image<float> scanned(const Surface& surface, int rows, int columns) {
+  Image<float> q(kWidth, kHeight);
+  q.fill(0);
+  for (int y = rows / 2; y < kHeight; y += rows)
+    for (int x = 0; x < kWidth; x += columns) q(x, y) = surface(x, y);
+  return q;
+}
+
+Image<float> densified(const Image<float>& sparse) {
+  DepthDensifier densify;
+  Image<float> dense;
+  densify(sparse, DepthDensifier::density(sparse), dense);
+  return dense;
+}
+
+double filled_share(const Image<float>& q) {
+  int n = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) n += q(x, y) > 0;
+  return static_cast<double>(n) / (kWidth * kHeight);
+}
+
+TEST(DepthDensifier, FillsAPlane) {
+  for (const Image<float>& sparse :
+       {scattered(road, 0.04), scattered(road, 0.1), scanned(road, 6, 3), scanned(road, 20, 3)}) {
+    const Image<float> dense = densified(sparse);
+    EXPECT_GT(filled_share(dense), 0.8);
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x)
+        if (dense(x, y) > 0) {
+          // The prior of the slopes takes a little of them where measurements are close together.
+          ASSERT_NEAR(dense(x, y), road(x, y), 0.02f * road(x, y)) << x << ' ' << y;
+        }
+  }
+}
+
+TEST(DepthDensifier, DoesNotBridgeAnEdge) {
+  const Image<float> dense = densified(scattered(box_before_wall, 0.06));
+  EXPECT_GT(filled_share(dense), 0.6);
+  int between = 0, wrong_side = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const float q = dense(x, y);
+      if (!(q > 0)) continue;
+      const bool near = std::abs(q - kNear) < 0.05f * kNear, far = std::abs(q - kFar) < 0.05f * kFar;
+      between += !near && !far;
+      wrong_side += near != in_box(x, y);
+    }
+  EXPECT_EQ(between, 0);
+  EXPECT_LT(wrong_side, 0.02 * kWidth * kHeight) << "a window just beside the edge sees one side alone";
+}
+
+TEST(DepthDensifier, LeavesWhatIsBesideAllMeasurements) {
+  Image<float> sparse = scattered(road, 0.05);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = kWidth / 2; x < kWidth; ++x) sparse(x, y) = 0;
+  const Image<float> dense = densified(sparse);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = kWidth / 2 + 12; x < kWidth; ++x) ASSERT_EQ(dense(x, y), 0) << x << ' ' << y;
+}
+
+TEST(DepthDensifier, KeepsWhatStandsAlone) {
+  Image<float> sparse(kWidth, kHeight);
+  sparse.fill(0);
+  sparse(30, 30) = 0.5f;
+  const Image<float> dense = densified(sparse);
+  EXPECT_EQ(dense(30, 30), 0.5f);
+  EXPECT_NEAR(filled_share(dense), 1.0 / (kWidth * kHeight), 1e-9);
+}
+
+TEST(Density, IsOfWhatIsAboutTheMeasurements) {
+  EXPECT_EQ(DepthDensifier::density(scattered(road, 0)), 0);
+  EXPECT_NEAR(DepthDensifier::density(scattered(road, 0.05)), 0.06, 0.01);
+  EXPECT_NEAR(DepthDensifier::density(scattered(road, 0.5)), 0.5, 0.02);
+  Image<float> part = scattered(road, 1);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      if (x > 40 || y > 40) part(x, y) = 0;
+  EXPECT_GT(DepthDensifier::density(part), 0.85) << "dense in a corner of the image is not sparse";
+}
+
+}  // namespace

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+
+// Depth of a few percent of the pixels, as a lidar's points give it.
+
+#include <gtest/gtest.h>
+
+#include "dot/tracker.hpp"
+#include "support/film.hpp"
+
+namespace {
+
+using dot::CameraStatus;
+using dot::DepthSource;
+using dot::ObjectResult;
+using dot::Options;
+using dot::Result;
+using dot::State;
+using dot::Tracker;
+using namespace dot::test;
+
+constexpr std::uint32_t parked = 1, mover = 2;
+
+/// The camera drives on; a car is parked and one crosses at 3 m/s.
+Film<> street() {
+  Film<> film;
+  film.camera_path = straight({0, 0, 0}, {0, 0, 1});
+  film.degradation.noise = 1;
+  film.add(parked, straight({2.8, 1.3, 9}));
+  film.add(mover, straight({-4, 1.3, 7.5}, {3, 0, 0}));
+  return film;
+}
+
+/// Leaves beams of a lidar, `rows` pixels apart, that measure every `columns` pixels.
+auto beams(int rows, int columns) {
+  return [=](int index, Rendering& seen) {
+    for (int y = 0; y < seen.depth.height(); ++y)
+      for (int x = 0; x < seen.depth.width(); ++x)
+        if (y % rows != rows / 2 || (x + index) % columns != 0) seen.depth(x, y) = 0;
+  };
+}
+
+void expect_tells_them_apart(int rows, int columns) {
+  Film<> film = street();
+  film.spoil = beams(rows, columns);
+  Options options;
+  options.depth_noise.source = DepthSource::Lidar;
+  Tracker tracker(small_camera(), options);
+  for (int i = 0; i < 10; ++i) {
+    const Result& result = film.next(tracker);
+    if (i == 0) continue;
+    ASSERT_EQ(result.camera.status, CameraStatus::Tracked) << i;
+    if (i < 5) continue;
+    ASSERT_EQ(result.objects.size, 2u) << i;
+    const bool first_is_parked = result.objects[0].instance_id == parked;
+    const ObjectResult &stands = result.objects[first_is_parked ? 0 : 1],
+                       &moves = result.objects[first_is_parked ? 1 : 0];
+    EXPECT_EQ(stands.state, State::Static) << i;
+    EXPECT_EQ(moves.state, State::Moving) << i;
+    EXPECT_NEAR(moves.fused_velocity[0], 3, 0.5) << i;
+  }
+}
+
+TEST(SparseDepth, OfManyBeams) { expect_tells_them_apart(5, 4); }
+TEST(SparseDepth, OfFewBeams) { expect_tells_them_apart(12, 2); }
+
+}  // namespace

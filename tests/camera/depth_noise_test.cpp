@@ -43,7 +43,8 @@ TEST(DepthNoise, OfStereoWithoutBaselineIsUnknown) {
   const DepthNoise noise(settings_of(DepthSource::Stereo), camera);
   EXPECT_EQ(noise.settings.source, DepthSource::Unknown);
   EXPECT_TRUE(std::isfinite(noise.pixel_sigma(0.1)));
-  EXPECT_DOUBLE_EQ(noise.pixel_sigma(0.1), DepthNoise(settings_of(DepthSource::Unknown), stereo_camera).pixel_sigma(0.1));
+  EXPECT_DOUBLE_EQ(noise.pixel_sigma(0.1),
+                   DepthNoise(settings_of(DepthSource::Unknown), stereo_camera).pixel_sigma(0.1));
 }
 
 TEST(DepthNoise, OfRgbdGrowsWithTheSquareOfTheDepth) {

@@ -32,18 +32,20 @@ Image<float> scattered(const Surface& surface, double share, unsigned seed = 1) 
 }
 
 /// Beams `rows` apart, a measurement every `columns` along them.
-Image<float> scanned(const Surface& surface, int rows, int columns) {
+Image<float> scanned(const Surface& surface, int rows, int columns, int first_row = 1) {
   Image<float> q(kWidth, kHeight);
   q.fill(0);
-  for (int y = rows / 2; y < kHeight; y += rows)
+  for (int y = first_row; y < kHeight; y += rows)
     for (int x = 0; x < kWidth; x += columns) q(x, y) = surface(x, y);
   return q;
 }
 
-Image<float> densified(const Image<float>& sparse) {
+/// @param relative_sigma of a measurement, share of its inverse depth.
+Image<float> densified(const Image<float>& sparse, double relative_sigma = 0.01) {
   DepthDensifier densify;
   Image<float> dense;
-  densify(sparse, DepthDensifier::density(sparse), dense);
+  densify(
+      sparse, DepthDensifier::density(sparse), [=](double q) { return relative_sigma * q; }, dense);
   return dense;
 }
 
@@ -90,7 +92,31 @@ TEST(DepthDensifier, LeavesWhatIsBesideAllMeasurements) {
     for (int x = kWidth / 2; x < kWidth; ++x) sparse(x, y) = 0;
   const Image<float> dense = densified(sparse);
   for (int y = 0; y < kHeight; ++y)
-    for (int x = kWidth / 2 + 12; x < kWidth; ++x) ASSERT_EQ(dense(x, y), 0) << x << ' ' << y;
+    for (int x = kWidth / 2 + 4; x < kWidth; ++x) ASSERT_EQ(dense(x, y), 0) << x << ' ' << y;
+}
+
+// One beam says nothing of the slope across it.
+TEST(DepthDensifier, OneBeamTiltsNothing) {
+  dot::test::Random random(2);
+  const Surface noisy_wall = [&](int, int) { return kNear * static_cast<float>(1 + 0.01 * random.normal()); };
+  Image<float> sparse(kWidth, kHeight);
+  sparse.fill(0);
+  for (int x = 0; x < kWidth; ++x) sparse(x, 60) = noisy_wall(x, 60);
+  const Image<float> dense = densified(sparse);
+  EXPECT_GT(filled_share(dense), 0.02);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      if (dense(x, y) != 0) {
+        ASSERT_NEAR(dense(x, y), kNear, 0.03f * kNear) << x << ' ' << y;
+      }
+}
+
+TEST(DepthDensifier, AllowsForTheNoiseOfItsDepth) {
+  dot::test::Random random(3);
+  const Surface noisy = [&](int x, int y) { return road(x, y) * static_cast<float>(1 + 0.04 * random.normal()); };
+  const Image<float> sparse = scattered(noisy, 0.08);
+  EXPECT_GT(filled_share(densified(sparse, 0.04)), 0.8);
+  EXPECT_LT(filled_share(densified(sparse, 0.005)), 0.2) << "such a surface is no plane to exact depth";
 }
 
 TEST(DepthDensifier, KeepsWhatStandsAlone) {
@@ -110,7 +136,19 @@ TEST(Density, IsOfWhatIsAboutTheMeasurements) {
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)
       if (x > 40 || y > 40) part(x, y) = 0;
-  EXPECT_GT(DepthDensifier::density(part), 0.85) << "dense in a corner of the image is not sparse";
+  EXPECT_GT(DepthDensifier::density(part), 3 * DepthDensifier::kSparse)
+      << "dense in a corner of the image is not sparse";
+}
+
+// Whichever rows the beams fall on: what looks at every fourth row may miss them all.
+TEST(Density, IsTheSameForAnyPhaseOfTheBeams) {
+  for (const int rows : {2, 4, 6, 8, 12})
+    for (int first = 0; first < rows; ++first) {
+      const double share = 1.0 / (rows * 3), density = DepthDensifier::density(scanned(road, rows, 3, first));
+      EXPECT_GT(density, 0.8 * share) << rows << ' ' << first;
+      // The box of 25 pixels about a beam has 3 beams that are 12 apart, not 25 / 12; cut at the border, a few more.
+      EXPECT_LT(density, 1.1 * 3 * 12 / 25 * share) << rows << ' ' << first;
+    }
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "dot/camera/depth_noise.hpp"
 #include "dot/kernel/portable_kernels.hpp"
 #include "support/synthetic_scene.hpp"
 
@@ -15,6 +16,8 @@ namespace {
 
 using dot::FramePtr;
 using dot::FrameStore;
+
+const dot::DepthNoise kNoise;
 
 /// A frame of one grey value, 2 m away.
 struct Plain {
@@ -31,7 +34,7 @@ struct Plain {
 
 FramePtr add(FrameStore& store, std::uint8_t value, double max_depth = 100, const dot::DepthBias& bias = {}) {
   const Plain plain(value);
-  return store.add(plain.frame, bias, {3, max_depth}, dot::portable_kernels(), dot::Threads{});
+  return store.add(plain.frame, bias, kNoise, {3, max_depth}, dot::portable_kernels(), dot::Threads{});
 }
 
 TEST(FrameStore, BuildsBothPyramids) {
@@ -60,7 +63,7 @@ TEST(FrameStore, SubtractsTheBias) {
 }
 
 FramePtr add(FrameStore& store, Plain& plain) {
-  return store.add(plain.frame, {}, {3, 100}, dot::portable_kernels(), dot::Threads{});
+  return store.add(plain.frame, {}, kNoise, {3, 100}, dot::portable_kernels(), dot::Threads{});
 }
 
 TEST(FrameStore, FillsInSparseDepth) {
@@ -70,6 +73,16 @@ TEST(FrameStore, FillsInSparseDepth) {
   const FramePtr frame = add(store, plain);
   for (int x = 20; x < 260; ++x) ASSERT_NEAR(frame->inverse_depth()(x, 48), 0.5f, 1e-5f) << x;
   EXPECT_NEAR(frame->depth.levels[1](70, 24), 0.5f, 1e-5f);
+}
+
+TEST(FrameStore, FillsInBeamsOnAnyRows) {
+  FrameStore store;
+  for (std::size_t first = 0; first < 8; ++first) {
+    Plain plain(1);
+    for (std::size_t i = 0; i < plain.depth.size(); ++i) plain.depth[i] = (i / 280) % 8 == first ? 2.f : 0.f;
+    const FramePtr frame = add(store, plain);
+    for (int y = 20; y < 70; ++y) ASSERT_NEAR(frame->inverse_depth()(100, y), 0.5f, 1e-5f) << first << ' ' << y;
+  }
 }
 
 TEST(FrameStore, LeavesDepthAloneThatIsDenseInAPart) {

@@ -6,7 +6,7 @@
 
 #include <iterator>
 
-#include "support/stage_film.hpp"
+#include "support/stage_street.hpp"
 
 // Masks of a past frame, taken to the present without a pipeline about them.
 
@@ -14,44 +14,27 @@ namespace {
 
 using namespace dot::test;
 using dot::CameraStatus;
+using dot::DepthNoise;
+using dot::DirectAligner;
+using dot::LateMasks;
 using dot::Masks;
 using dot::ObjectReference;
-using dot::State;
+using dot::Pinhole;
 using dot::Track;
 using dot::Vector3;
+using dot::VelocityClassifier;
 
-constexpr std::uint32_t parked = 1, mover = 2;
-
-struct Street : StageFilm {
-  StageSetup policies;
-  StageSetup::Setup setup = policies;
-  DefaultTracks tracks;
-  dot::Discovery<dot::Pinhole, dot::DepthNoise> discovery;
-  dot::Labeller<dot::Pinhole, dot::DepthNoise> labeller;
-  dot::LateMasks<dot::Pinhole, dot::VelocityClassifier, dot::DepthNoise, dot::DirectAligner<>> late;
+/// Keeps its frames for late masks.
+struct Street : StageStreet {
+  LateMasks<Pinhole, VelocityClassifier, DepthNoise, DirectAligner<>> late;
   CameraStatus next_status = CameraStatus::FromHost;
-
-  static Film<> scene() {
-    Film<> film;
-    film.camera_path = straight({0, 0, 0}, {0, 0, 1});
-    film.degradation.noise = 1;
-    film.add(parked, straight({2.6, 1.3, 9}));
-    film.add(mover, straight({-3, 1.3, 7.5}, {3, 0, 0}));
-    return film;
-  }
-  Street() : StageFilm(scene()) { tracks.prepare({}, policies.threads); }
 
   void next(bool segmented) {
     advance();
     if (prev) camera_step.status = next_status;
     if (segmented) observe();
     late.advance(camera_step);
-    tracks.predict(tracks.all(), interval(), setup);
-    tracks.assign(observations, setup.mask);
-    tracks.follow(tracks.all(), interval(), observations, discovery, setup);
-    tracks.place(interval(), segmented, observations, discovery, setup);
-    labeller.label(tracks.far_to_near(), cur, camera_step, segmented, camera, setup.noise, setup.mask);
-    for (Track* t : tracks.all()) tracks.remember(*t, *cur, setup, tracks.workers()[0]);
+    play(segmented);
     late.await(cur, camera_step, segmented, setup.mask, tracks.all());
   }
   /// Masks of the frame that was `delay` frames ago.
@@ -61,12 +44,8 @@ struct Street : StageFilm {
     observations.count("masks", masks, 100, camera.width(), camera.height());
     const auto then = late.frames().find(static_cast<std::uint64_t>(film.index() - delay));
     ASSERT_NE(then, late.frames().end());
-    late.apply(then, masks, cur->timestamp, {tracks, observations, labeller, discovery, setup});
-  }
-  const Track* find(std::uint32_t instance) {
-    for (const Track* t : tracks.all())
-      if (t->identity.instance_id == instance) return t;
-    return nullptr;
+    const StageSetup::Setup policies = setup;
+    late.apply(then, masks, cur->timestamp, {tracks, observations, labeller, discovery, policies});
   }
 };
 
@@ -85,7 +64,7 @@ TEST(LateMasks, ReplayLeadsANewObjectToThePresent) {
     EXPECT_TRUE(t->motion.step.fit.ok()) << id;
   }
   EXPECT_LT((street.find(mover)->motion.step.fit.motion.velocity - Vector3<double>(3, 0, 0)).norm(), 0.3);
-  EXPECT_TRUE(street.late.frames().size() == 3) << "those after it may still get theirs";
+  EXPECT_EQ(street.late.frames().size(), 3u) << "those after it may still get theirs";
 }
 
 TEST(LateMasks, ANewMaskOfAKnownObjectIsCarriedToThePresent) {
@@ -99,7 +78,7 @@ TEST(LateMasks, ANewMaskOfAKnownObjectIsCarriedToThePresent) {
   ASSERT_EQ(street.tracks.size(), 2u);
   const Track* t = street.find(mover);
   EXPECT_EQ(t->identity.id, id_before);
-  EXPECT_EQ(t->outline.shape.mask.area, street.tracks.all().empty() ? 0 : t->observed->mask.area);
+  EXPECT_EQ(t->outline.shape.mask.area, t->observed->mask.area);
   EXPECT_TRUE(t->outline.is_newest);
   // The shape of that frame, moved by camera and object since: 0.6 m to the right, 0.2 m nearer.
   EXPECT_LT((t->outline.T_now_shape.t - Vector3<double>(0.6, 0, -0.2)).norm(), 0.1);

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "dot/tracker.hpp"
-#include "support/film.hpp"
+#include "support/street.hpp"
 
 namespace {
 
@@ -28,18 +28,6 @@ using dot::Result;
 using dot::State;
 using dot::Tracker;
 using namespace dot::test;
-
-constexpr std::uint32_t parked = 1, mover = 2;
-
-/// The camera drives on; a car is parked and one crosses at 3 m/s.
-Film<> street() {
-  Film<> film;
-  film.camera_path = straight({0, 0, 0}, {0, 0, 1});
-  film.degradation.noise = 1;
-  film.add(parked, straight({2.8, 1.3, 9}));
-  film.add(mover, straight({-4, 1.3, 7.5}, {3, 0, 0}));
-  return film;
-}
 
 /// Plays a film to a tracker whose network looks at every `every`th frame and takes `delay` frames for it.
 class LateNetwork {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "dot/tracker.hpp"
-#include "support/film.hpp"
+#include "support/street.hpp"
 
 namespace {
 
@@ -18,18 +18,6 @@ using dot::Result;
 using dot::State;
 using dot::Tracker;
 using namespace dot::test;
-
-constexpr std::uint32_t parked = 1, mover = 2;
-
-/// The camera drives on; a car is parked and one crosses at 3 m/s.
-Film<> street() {
-  Film<> film;
-  film.camera_path = straight({0, 0, 0}, {0, 0, 1});
-  film.degradation.noise = 1;
-  film.add(parked, straight({2.8, 1.3, 9}));
-  film.add(mover, straight({-4, 1.3, 7.5}, {3, 0, 0}));
-  return film;
-}
 
 /// Leaves beams of a lidar, `rows` pixels apart, that measure every `columns` pixels.
 auto beams(int rows, int columns) {
@@ -61,7 +49,10 @@ void expect_tells_them_apart(int rows, int columns) {
   }
 }
 
-TEST(SparseDepth, OfManyBeams) { expect_tells_them_apart(5, 4); }
+TEST(SparseDepth, OfManyBeams) {
+  expect_tells_them_apart(5, 4);
+  expect_tells_them_apart(6, 3);
+}
 TEST(SparseDepth, OfFewBeams) { expect_tells_them_apart(12, 2); }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/stage_film.hpp"
+#include "support/stage_street.hpp"
 
 // All objects, without a pipeline about them.
 
@@ -18,47 +18,8 @@ using dot::State;
 using dot::Track;
 using dot::Vector3;
 
-constexpr std::uint32_t parked = 1, mover = 2;
-
-Film<> street() {
-  Film<> film;
-  film.degradation.noise = 1;
-  film.add(parked, straight({2.6, 1.3, 9}));
-  film.add(mover, straight({-3, 1.3, 7.5}, {3, 0, 0}));
-  return film;
-}
-
-struct Street : StageFilm {
-  StageSetup setup;
-  DefaultTracks tracks;
-  dot::Discovery<dot::Pinhole, dot::DepthNoise> discovery;
-  int too_small = 0;
-
-  Street() : StageFilm(street()) { tracks.prepare({}, setup.threads); }
-
-  /// The next frame, with its masks or without.
-  void next(bool segmented) {
-    advance();
-    if (segmented) observe();
-    play(segmented);
-  }
-  void play(bool segmented) {
-    tracks.drop_lost();
-    tracks.predict(tracks.all(), interval(), setup);
-    tracks.assign(observations, setup.mask);
-    tracks.follow(tracks.all(), interval(), observations, discovery, setup);
-    too_small = tracks.place(interval(), segmented, observations, discovery, setup);
-    for (Track* t : tracks.all()) tracks.remember(*t, *cur, setup, tracks.workers()[0]);
-  }
-  const Track* find(std::uint32_t instance) {
-    for (const Track* t : tracks.all())
-      if (t->identity.instance_id == instance) return t;
-    return nullptr;
-  }
-};
-
 TEST(Tracks, TellWhatMovesFromWhatStands) {
-  Street street;
+  StageStreet street;
   for (int i = 0; i < 5; ++i) street.next(true);
   ASSERT_EQ(street.tracks.size(), 2u);
   EXPECT_EQ(street.find(parked)->belief.state, State::Static);
@@ -67,7 +28,7 @@ TEST(Tracks, TellWhatMovesFromWhatStands) {
 }
 
 TEST(Tracks, CarryOutlinesWhereNoMaskComes) {
-  Street street;
+  StageStreet street;
   for (int i = 0; i < 4; ++i) street.next(i == 0);
   for (const std::uint32_t id : {parked, mover}) {
     const dot::Mask &mask = street.find(id)->outline.mask, truth = street.mask(id);
@@ -77,7 +38,7 @@ TEST(Tracks, CarryOutlinesWhereNoMaskComes) {
 }
 
 TEST(Tracks, WithoutACameraNothingIsComparedAndNothingIsNewest) {
-  Street street;
+  StageStreet street;
   street.next(true);
   street.next(false);
   street.advance();
@@ -90,7 +51,7 @@ TEST(Tracks, WithoutACameraNothingIsComparedAndNothingIsNewest) {
 }
 
 TEST(Tracks, LookBackWhereANewObjectBegins) {
-  Street street;
+  StageStreet street;
   street.advance();
   street.play(false);
   street.next(true);
@@ -102,7 +63,7 @@ TEST(Tracks, LookBackWhereANewObjectBegins) {
 }
 
 TEST(Tracks, ASmallInstanceStartsNone) {
-  Street street;
+  StageStreet street;
   street.advance();
   street.observe();
   Observation& small = street.observations.add();
@@ -116,9 +77,8 @@ TEST(Tracks, ASmallInstanceStartsNone) {
 }
 
 TEST(Tracks, WhatAMaskShouldShowAndDoesNotIsContradictedThenLost) {
-  Street street;
+  StageStreet street;
   street.next(true);
-  street.film.edit = [](int, dot::Frame&) {};
   street.film.spoil = [](int, Rendering& seen) {
     for (int y = 0; y < seen.ids.height(); ++y)
       for (int x = 0; x < seen.ids.width(); ++x)
@@ -138,7 +98,7 @@ TEST(Tracks, WhatAMaskShouldShowAndDoesNotIsContradictedThenLost) {
 }
 
 TEST(Tracks, OnlyTheLargestAreFollowed) {
-  Street street;
+  StageStreet street;
   street.setup.estimator.settings.max_fitted = 1;
   street.next(true);
   street.next(true);
@@ -150,7 +110,7 @@ TEST(Tracks, OnlyTheLargestAreFollowed) {
 }
 
 TEST(Tracks, AreCarriedWithoutOldFramesAfterAGap) {
-  Street street;
+  StageStreet street;
   street.next(true);
   street.next(true);
   street.tracks.forget_references();

@@ -23,20 +23,20 @@ class DepthDensifier {
   /// The share of the pixels that are measured about those that are: where depth is dense in a part of the image alone,
   /// it is near 1. @param q 1/m, <= 0 = not measured. @return 0 where nothing is measured.
   static double density(const Image<float>& q) {
-    constexpr int kReach = 4, kEvery = 3;  // pixels
+    constexpr int kReach = 12;  // pixels: some beams of a lidar
     double measured = 0, looked_at = 0;
-    for (int y = 0; y < q.height(); y += kEvery)
-      for (int x = 0; x < q.width(); ++x) {
-        if (!(q(x, y) > 0)) continue;
-        for (int v = std::max(y - kReach, 0); v <= std::min(y + kReach, q.height() - 1); ++v)
-          for (int u = std::max(x - kReach, 0); u <= std::min(x + kReach, q.width() - 1); ++u)
-            measured += q(u, v) > 0, ++looked_at;
-      }
+    for_some_measured(q, [&](int x, int y) {
+      for (int v = std::max(y - kReach, 0); v <= std::min(y + kReach, q.height() - 1); ++v)
+        for (int u = std::max(x - kReach, 0); u <= std::min(x + kReach, q.width() - 1); ++u)
+          measured += q(u, v) > 0, ++looked_at;
+    });
     return looked_at > 0 ? measured / looked_at : 0;
   }
 
-  /// @param sparse 1/m, <= 0 = not measured. @param dense of the same size, is overwritten.
-  void operator()(const Image<float>& sparse, double density, Image<float>& dense) {
+  /// @param sparse 1/m, <= 0 = not measured. @param sigma of one measurement q, 1/m: sigma(q). @param dense of the same
+  /// size, is overwritten.
+  template <typename Sigma>
+  void operator()(const Image<float>& sparse, double density, Sigma&& sigma, Image<float>& dense) {
     const int width = sparse.width(), height = sparse.height();
     choose_window(sparse, density);
     dense.resize(width, height);
@@ -44,14 +44,29 @@ class DepthDensifier {
     for (int y = -ry_; y < height; ++y) {
       if (y + ry_ < height) add_row(sparse, y + ry_, 1);
       if (y - ry_ - 1 >= 0) add_row(sparse, y - ry_ - 1, -1);
-      if (y >= 0) fit_row(sparse, y, dense);
+      if (y >= 0) fit_row(sparse, y, sigma, dense);
     }
   }
 
  private:
-  static constexpr double kWanted = 20;       ///< measurements in a window
+  /// Calls visit(x, y) for some thousand measured pixels at most. Not for some rows: beams are rows, too.
+  template <typename Visitor>
+  static void for_some_measured(const Image<float>& q, Visitor&& visit) {
+    constexpr int kEnough = 2000;
+    int count = 0;
+    for (int y = 0; y < q.height(); ++y)
+      count += static_cast<int>(std::count_if(q.row(y), q.row(y) + q.width(), [](float v) { return v > 0; }));
+    const int step = std::max(1, count / kEnough);
+    int i = 0;
+    for (int y = 0; y < q.height(); ++y)
+      for (int x = 0; x < q.width(); ++x)
+        if (q(x, y) > 0 && i++ % step == 0) visit(x, y);
+  }
+
+  static constexpr double kWanted = 14;       ///< measurements in a window
   static constexpr int kLeast = 6;            ///< that tell a plane
-  static constexpr double kSpread = 0.015;    ///< share of the inverse depth: sigma about the plane of one surface
+  static constexpr double kSigmas = 1.5;      ///< of one measurement: RMS distance from the plane of one surface, ...
+  static constexpr double kRelief = 0.015;    ///< ... which is not quite a plane: share of its inverse depth
   static constexpr double kOffCentre = 0.6;   ///< share of the window by which their middle may be beside the pixel
   static constexpr double kSlopePrior = 0.1;  ///< square pixels: keeps a row of measurements from tilting its plane
   static constexpr int kMostReach = 40;       ///< pixels
@@ -77,14 +92,11 @@ class DepthDensifier {
     // How often the neighbour in the row, or in the column, is measured within a few pixels.
     constexpr int kNear = 8;
     double along = 0, across = 0;
-    int samples = 0;
-    for (int y = 0; y + kNear < q.height(); y += 3)
-      for (int x = 0; x + kNear < q.width(); ++x) {
-        if (!(q(x, y) > 0)) continue;
-        ++samples;
-        for (int d = 1; d <= kNear; ++d) along += q(x + d, y) > 0, across += q(x, y + d) > 0;
-      }
-    const double ratio = samples > 0 ? std::clamp((along + 1) / (across + 1), 0.25, 4.0) : 1;
+    for_some_measured(q, [&](int x, int y) {
+      if (x + kNear >= q.width() || y + kNear >= q.height()) return;
+      for (int d = 1; d <= kNear; ++d) along += q(x + d, y) > 0, across += q(x, y + d) > 0;
+    });
+    const double ratio = std::clamp((along + 1) / (across + 1), 0.25, 4.0);
     const double area = kWanted / std::max(density, 1e-3), side = std::sqrt(area);
     rx_ = std::clamp(static_cast<int>(0.5 * side / std::sqrt(ratio)), 2, kMostReach);
     ry_ = std::clamp(static_cast<int>(0.5 * side * std::sqrt(ratio)), 2, kMostReach);
@@ -102,7 +114,8 @@ class DepthDensifier {
     }
   }
 
-  void fit_row(const Image<float>& sparse, int y, Image<float>& dense) {
+  template <typename Sigma>
+  void fit_row(const Image<float>& sparse, int y, Sigma&& sigma, Image<float>& dense) {
     const int width = sparse.width();
     const auto column = [this](int x) -> const Column& { return columns_[static_cast<std::size_t>(x)]; };
     Sums s;
@@ -110,13 +123,14 @@ class DepthDensifier {
     for (int x = 0; x < width; ++x) {
       if (x + rx_ < width) s.add(column(x + rx_), x + rx_, 1);
       if (x - rx_ - 1 >= 0) s.add(column(x - rx_ - 1), x - rx_ - 1, -1);
-      const float fitted = value(s, x, y), measured = sparse(x, y);
+      const float fitted = value(s, x, y, sigma), measured = sparse(x, y);
       dense(x, y) = fitted > 0 ? fitted : std::max(measured, 0.f);
     }
   }
 
   /// Of the window's plane at the pixel; 0 where there is none.
-  float value(const Sums& s, double x, double y) const {
+  template <typename Sigma>
+  float value(const Sums& s, double x, double y, Sigma&& sigma) const {
     if (s.n < kLeast - 0.5) return 0;
     const double u = s.u / s.n - x, v = s.v / s.n - y, q = s.q / s.n;
     if (std::abs(u) > kOffCentre * rx_ || std::abs(v) > kOffCentre * ry_) return 0;
@@ -126,7 +140,8 @@ class DepthDensifier {
     const double det = uu * vv - uv * uv;
     const double b = (vv * uq - uv * vq) / det, c = (uu * vq - uv * uq) / det;
     const double variance = s.qq / s.n - q * q - b * uq - c * vq;
-    if (variance > kSpread * kSpread * q * q) return 0;
+    const double most = std::max(kSigmas * sigma(q), kRelief * q);
+    if (variance > most * most) return 0;
     return static_cast<float>(q - b * u - c * v);
   }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -27,9 +28,10 @@ class FrameStore {
     double max_depth = 0;  ///< metres; what is farther counts as not measured
   };
 
-  /// Builds a frame's pyramids. @param bias to be subtracted from its inverse depth.
-  FramePtr add(const Frame& input, const DepthBias& bias, const Settings& settings, const kernel::Kernels& kernels,
-               const Threads& threads) {
+  /// Builds a frame's pyramids. @param bias to be subtracted from its inverse depth. @param noise of the depth.
+  template <typename Noise>
+  FramePtr add(const Frame& input, const DepthBias& bias, const Noise& noise, const Settings& settings,
+               const kernel::Kernels& kernels, const Threads& threads) {
     FrameData& frame = unused();
     frame.id = input.id;
     frame.timestamp = input.timestamp;
@@ -40,11 +42,11 @@ class FrameStore {
       if (part == 0)
         frame.pyramid.build(width, height, GreyRows(input.image, grey_rows_), levels, kernels);
       else if (bias.is_zero())
-        build_depth(InverseDepthRows(input.depth, settings.max_depth, kernels), width, height, levels, kernels,
+        build_depth(InverseDepthRows(input.depth, settings.max_depth, kernels), noise, width, height, levels, kernels,
                     frame.depth);
       else
-        build_depth(UnbiasedDepthRows(input.depth, settings.max_depth, bias, depth_rows_, kernels), width, height,
-                    levels, kernels, frame.depth);
+        build_depth(UnbiasedDepthRows(input.depth, settings.max_depth, bias, depth_rows_, kernels), noise, width,
+                    height, levels, kernels, frame.depth);
     });
     return newest();
   }
@@ -58,30 +60,35 @@ class FrameStore {
   FramePtr newest() const { return frames_.back(); }
 
   /// Between sparse measurements the depth is filled in, see DepthDensifier.
-  template <typename Rows>
-  void build_depth(Rows rows, int width, int height, int levels, const kernel::Kernels& kernels, DepthPyramid& out) {
+  template <typename Rows, typename Noise>
+  void build_depth(Rows rows, const Noise& noise, int width, int height, int levels, const kernel::Kernels& kernels,
+                   DepthPyramid& out) {
     if (!may_be_sparse(rows, width, height)) return out.build(width, height, rows, levels, kernels);
     sparse_.resize(width, height);
     for (int y = 0; y < height; ++y) rows(y, sparse_.row(y));
     const double density = DepthDensifier::density(sparse_);
     const bool is_sparse = density > 0 && density < DepthDensifier::kSparse;
-    if (is_sparse) densify_(sparse_, density, dense_);
+    const auto sigma = [&noise](double q) { return noise.prior_pixel_sigma(q); };
+    if (is_sparse) densify_(sparse_, density, sigma, dense_);
     const Image<float>& filled = is_sparse ? dense_ : sparse_;
     const auto copy = [&](int y, float* to) { std::copy_n(filled.row(y), width, to); };
     out.build(width, height, copy, levels, kernels);
   }
 
-  /// By some of the rows.
+  /// By some of the rows, at places without a period: the beams of a lidar have one.
   template <typename Rows>
   bool may_be_sparse(Rows& rows, int width, int height) {
     constexpr int kEvery = 8;
+    constexpr double kGoldenRatio = 0.6180339887498949;
     row_.resize(static_cast<std::size_t>(width));
-    int measured = 0, looked_at = 0;
-    for (int y = kEvery / 2; y < height; y += kEvery, looked_at += width) {
-      rows(y, row_.data());
+    const int count = height / kEvery + 1;
+    int measured = 0;
+    for (int i = 0; i < count; ++i) {
+      const double place = kGoldenRatio * i;
+      rows(static_cast<int>((place - std::floor(place)) * height), row_.data());
       measured += static_cast<int>(std::count_if(row_.begin(), row_.end(), [](float q) { return q > 0; }));
     }
-    return measured < DepthDensifier::kSparse * looked_at;
+    return measured < DepthDensifier::kSparse * count * width;
   }
 
   /// A frame that nobody holds, moved to the end.

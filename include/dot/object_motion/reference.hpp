@@ -42,8 +42,6 @@ struct ReferencePair {
   const ObjectReference& reference;
   CameraSince camera;  ///< motion from the reference to that frame, `now`
   double seconds = 0;  ///< from the reference to that frame
-
-  const SE3d& T_now_ref() const { return camera.T_now_ref; }
 };
 
 DOT_END_NAMESPACE

@@ -24,7 +24,7 @@ class Assignment {
     for (const bool is_candidate : {false, true}) {
       unknown_.clear();
       for (Track* t : tracks)
-        if (t->identity.discovered && !t->observed && t->candidacy.is_candidate == is_candidate &&
+        if (t->identity.discovered && t->candidacy.is_candidate == is_candidate &&
             !t->is_rejected_candidate())
           unknown_.push_back(t);
       assign_kind(unknown_, observations, true, settings);

@@ -4,6 +4,9 @@
 
 #include <Eigen/Cholesky>
 
+/// @file
+/// Definitions of align/alignment.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 DOT_INLINE bool has_covariance(const Alignment& a) {

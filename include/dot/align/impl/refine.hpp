@@ -6,6 +6,9 @@
 
 #include <Eigen/Cholesky>
 
+/// @file
+/// Definitions of align/aligner.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 template <typename Reduction>

@@ -6,6 +6,9 @@
 
 #include "dot/align/robust.hpp"
 
+/// @file
+/// Definitions of align/reduction.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 /// H += w J J' (lower triangle), g += w r J.

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+/// @file
+/// Definitions of camera_motion/background.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 DOT_INLINE void Background::carry(const CameraStep& step) {

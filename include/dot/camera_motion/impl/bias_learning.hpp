@@ -4,6 +4,9 @@
 
 #include <Eigen/Cholesky>
 
+/// @file
+/// Definitions of camera_motion/bias_learning.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 DOT_INLINE DepthBias DepthBiasLearning::bias() const {

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+/// @file
+/// Definitions of camera_motion/camera_step.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 DOT_INLINE CameraSince CameraSince::after(const SE3d& T_cur_prev, const Matrix6<double>& step_covariance,

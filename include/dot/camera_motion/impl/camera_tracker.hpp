@@ -6,6 +6,9 @@
 #include <type_traits>
 #include <utility>
 
+/// @file
+/// Definitions of camera_motion/camera_tracker.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 template <typename Camera, typename Noise, typename Aligner>

@@ -6,6 +6,9 @@
 
 #include <Eigen/Cholesky>
 
+/// @file
+/// Definitions of discovery/candidacy.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 DOT_INLINE void Candidacy::confirm(const ObjectStep& step, const ObjectBelief& belief, const VelocitySettings& settings,

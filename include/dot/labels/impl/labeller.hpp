@@ -6,6 +6,9 @@
 #include <cmath>
 #include <utility>
 
+/// @file
+/// Definitions of labels/labeller.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 template <typename Camera, typename Noise>

@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <utility>
 
+/// @file
+/// Definitions of late_masks/late_masks.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>

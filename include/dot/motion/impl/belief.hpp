@@ -10,6 +10,9 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+/// @file
+/// Definitions of motion/belief.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 DOT_INLINE void Belief::predict(double dt, const Matrix3<double>& R_cur_prev, const VelocitySettings& s) {

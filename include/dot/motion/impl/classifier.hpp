@@ -7,6 +7,9 @@
 
 #include <Eigen/Eigenvalues>
 
+/// @file
+/// Definitions of motion/classifier.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 DOT_INLINE Decision VelocityClassifier::operator()(Memory& m, const MotionEstimate* fit,

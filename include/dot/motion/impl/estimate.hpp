@@ -6,6 +6,9 @@
 
 #include <Eigen/Cholesky>
 
+/// @file
+/// Definitions of motion/estimate.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 DOT_INLINE double entropy(const Matrix6<double>& sigma) {

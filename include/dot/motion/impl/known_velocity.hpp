@@ -4,6 +4,9 @@
 
 #include <Eigen/Cholesky>
 
+/// @file
+/// Definitions of motion/known_velocity.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 DOT_INLINE bool KnownVelocity::contradicts(const MotionEstimate& fit, double max_acceleration) const {

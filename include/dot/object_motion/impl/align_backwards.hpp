@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+/// @file
+/// Definitions of object_motion/object_tracker.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 template <typename Camera, typename Noise, typename Aligner>

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+/// @file
+/// Definitions of object_motion/fit.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 DOT_INLINE ObjectFit ObjectFit::reversed(const SE3d& C) const {

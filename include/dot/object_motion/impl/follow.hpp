@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+/// @file
+/// Definitions of object_motion/object_tracker.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 /// What `follow` works with.

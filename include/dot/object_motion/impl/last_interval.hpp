@@ -5,6 +5,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+/// @file
+/// Definitions of object_motion/last_interval.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 DOT_INLINE ObjectFit over_last_interval(const ObjectFit& fit, const SE3d& T_prev_ref, double dt, double acceleration) {

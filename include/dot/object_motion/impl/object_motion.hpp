@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+/// @file
+/// Definitions of object_motion/object_motion.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 DOT_INLINE void ObjectMotion::correct(const ObjectFit& fit, const SE3d& T_cur_prev) {

@@ -4,6 +4,9 @@
 
 #include <cmath>
 
+/// @file
+/// Definitions of object_motion/problem.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 DOT_INLINE Matrix6<double> prior_information(const MotionPriorSettings& prior, double dt) {

@@ -14,6 +14,9 @@
 #include "dot/pipeline/validate_options.hpp"
 #include "dot/tracks/explained_pixels.hpp"
 
+/// @file
+/// Definitions of pipeline/dot.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -54,7 +57,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
 
   const double seconds = start_interval(frame.timestamp);
   previous_ = std::move(current_);
-  current_ = frames_.add(frame, camera_tracker_.depth_bias(),
+  current_ = frames_.add(frame, camera_tracker_.depth_bias(), depth_noise,
                          {std::min(options_.align.max_levels, PointSet::kMaxLevels), options_.selection.max_depth},
                          kernels(), threads);
   const FrameData& cur = *current_;

@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <type_traits>
 
+/// @file
+/// Definitions of pipeline/dot.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 namespace writing {

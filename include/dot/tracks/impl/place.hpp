@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <tuple>
 
+/// @file
+/// Definitions of tracks/tracks.hpp, which includes this file.
+
 DOT_BEGIN_NAMESPACE
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>

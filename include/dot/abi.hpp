@@ -7,12 +7,13 @@
 /// @file
 /// The inline namespace of everything whose layout or code depends on Eigen.
 ///
-/// `-march=native` moves the alignment of Eigen's fixed-size types (16, 32 or 64 bytes) and the way Eigen allocates.
-/// Two translation units built with different flags would then disagree silently about the same name. Headers that use
-/// Eigen open their namespace with DOT_BEGIN_NAMESPACE, which carries that alignment, so such units get different
-/// symbols: they work side by side, or fail to link, and never corrupt memory.
+/// Compiler flags such as `-march=native` change the alignment of Eigen's fixed-size types (16, 32 or 64 bytes) and the
+/// way that Eigen allocates. Without this namespace, two translation units with different flags would give two layouts
+/// the same name, and the linker would not notice. All headers that use Eigen open their namespace with
+/// DOT_BEGIN_NAMESPACE, whose inline namespace is named after the alignment. Units with different flags then have
+/// different symbols: they work side by side, or they do not link, but they never corrupt memory.
 ///
-/// A build that must never share code with its host (our compiled tier) may set DOT_ABI_TAG to a name of its own.
+/// A build that must not share code with its host can set DOT_ABI_TAG to another name; our compiled tier does.
 #ifdef DOT_ABI_TAG
 #define DOT_HAS_OWN_ABI_TAG
 #else
@@ -37,10 +38,10 @@
   }
 
 /// @def DOT_USES_COMPILED_PIPELINE
-/// The static library has the default pipeline, `Dot<>`, compiled: its stages, and all functions marked DOT_INLINE. A
-/// unit that links it takes them from there instead of compiling them again, provided that its types have the same
-/// layout: the same version of Eigen, with the alignments that Eigen has by itself and the namespace that comes of
-/// them, and containers without checks. All other units compile what they use.
+/// The static library contains the compiled default pipeline, `Dot<>`: its stages, and all functions marked DOT_INLINE.
+/// A unit that links the library uses them and does not compile them again. The unit's types must have the same layout:
+/// the same version of Eigen, Eigen's own alignments (no -march=native, no alignment macros), and standard containers
+/// without debug checks. All other units compile what they use.
 #if defined(DOT_COMPILED_PIPELINE) && !defined(DOT_HAS_OWN_ABI_TAG) && !defined(_GLIBCXX_DEBUG) && \
     !defined(EIGEN_DEFAULT_TO_ROW_MAJOR)
 #if EIGEN_MAX_ALIGN_BYTES == 16 && EIGEN_MAX_STATIC_ALIGN_BYTES == 16 && \
@@ -50,7 +51,7 @@
 #endif
 
 /// @def DOT_INLINE
-/// Of functions that are no templates and are compiled either into the library or into each unit.
+/// Marks functions that are not templates. They are compiled into the library, or are `inline` in each unit.
 #if defined(DOT_BUILDS_PIPELINE) || defined(DOT_USES_COMPILED_PIPELINE)
 #define DOT_INLINE
 #else

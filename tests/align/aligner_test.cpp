@@ -323,7 +323,7 @@ TEST(AlignCamera, RankCountsWhatLeavesWhereAsked) {
   DirectAligner<> aligner;
   AlignProblem<Pinhole> problem = pair.problem();
   const double free = aligner.tukey_cost(problem, {T}, 0, 5);
-  problem.hidden_cost = 3;
+  problem.unseen_cost = 3;
   const double costly = aligner.tukey_cost(problem, {T}, 0, 5);
   EXPECT_GT(costly, free + 0.5);
   EXPECT_LT(costly, 3);

@@ -73,7 +73,7 @@ PointSet random_points(int n, unsigned seed) {
 /// A depth term whose measurements agree, disagree, hide, or are missing.
 struct Measured {
   Image<float> q{160, 120};
-  Image<std::uint8_t> hidden{160, 120};
+  Image<std::uint8_t> occluders{160, 120};
   DepthTerm term;
 
   explicit Measured(unsigned seed) {
@@ -81,10 +81,10 @@ struct Measured {
     for (int y = 0; y < 120; ++y)
       for (int x = 0; x < 160; ++x) {
         q(x, y) = random.uniform() < 0.2 ? 0.f : static_cast<float>(random.uniform(0, 1.2));
-        hidden(x, y) = random.uniform() < 0.1;
+        occluders(x, y) = random.uniform() < 0.1;
       }
     term.inverse_depth = q.view();
-    term.hidden = hidden.view();
+    term.occluders = occluders.view();
     term.sigma = 0.03f;
     term.weight = 0.4f;
   }
@@ -183,7 +183,7 @@ TEST(Kernel, AgreesOnTheDepthTerm) {
     std::size_t seen = 0;
     compare(random_points(3000, seed), {motion, 0.95, 3}, measured.term, &seen);
     EXPECT_GT(seen, 800u);
-    measured.term.hidden = {};
+    measured.term.occluders = {};
     compare(random_points(3000, seed), {motion, 0.95, 3}, measured.term, &seen);
     measured.term.weight = measured.term.sigma = 0;
     compare(random_points(3000, seed), {SE3d{}, 1, 0}, measured.term, &seen);

@@ -96,7 +96,7 @@ TEST(ReductionVisibility, ANearerObjectHides) {
   object.fill(0);
   DepthTerm depth;
   depth.inverse_depth = measured.view();
-  depth.hidden = object.view();
+  depth.occluders = object.view();
   object(61, 40) = 255;
   EXPECT_TRUE(residual(point(60, 40, 0.5f), SE3d{}, depth).seen);
   object(60, 40) = 255;

@@ -27,7 +27,7 @@ double metres(double sigma_q, double z) { return sigma_q * z * z; }
 TEST(DepthNoise, OfStereoIsConstantInDisparity) {
   DepthNoiseSettings s = settings_of(DepthSource::Stereo);
   s.stereo_sigma_px = 0.4;
-  s.stereo_common_px = 0.1;
+  s.stereo_shared_px = 0.1;
   const DepthNoise noise(s, stereo_camera);
   EXPECT_DOUBLE_EQ(noise.focal_baseline, 355);  // of the mean focal length
   for (const double z : {1.0, 10.0, 90.0}) {

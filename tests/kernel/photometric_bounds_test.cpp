@@ -21,7 +21,7 @@ using dot::test::kernel_variants;
 using dot::test::Random;
 
 TEST(KernelBounds, ReadAndWriteWithinTheArrays) {
-  constexpr int kWidth = 37, kHeight = 29, kHiddenStride = 41;
+  constexpr int kWidth = 37, kHeight = 29, kOccludersStride = 41;
   for (const bool at_the_end : {true, false})
     for (const int n : {1, 2, 7, 8, 9, 15, 16, 17, 130, 3000}) {
       const auto count = static_cast<std::size_t>(n);
@@ -30,7 +30,7 @@ TEST(KernelBounds, ReadAndWriteWithinTheArrays) {
       const Guarded v(4 * count, at_the_end), gu(4 * count, at_the_end), gv(4 * count, at_the_end);
       const Guarded excluded(count, at_the_end);
       const Guarded image(kWidth * kHeight, at_the_end), depth_image(4 * kWidth * kHeight, at_the_end);
-      const Guarded hidden(kHiddenStride * (kHeight - 1) + kWidth, at_the_end);
+      const Guarded occluders(kOccludersStride * (kHeight - 1) + kWidth, at_the_end);
       const Guarded r(4 * count, at_the_end), extra(4 * count, at_the_end), value(4 * count, at_the_end);
       const Guarded r_depth(4 * count, at_the_end), visibility(count, at_the_end);
       Random random(static_cast<unsigned>(n));
@@ -38,7 +38,7 @@ TEST(KernelBounds, ReadAndWriteWithinTheArrays) {
         image.bytes()[i] = static_cast<unsigned char>(random.uniform(0, 256));
         depth_image.floats()[i] = static_cast<float>(random.uniform(0, 1));
       }
-      std::memset(hidden.bytes(), 0, kHiddenStride * (kHeight - 1) + kWidth);
+      std::memset(occluders.bytes(), 0, kOccludersStride * (kHeight - 1) + kWidth);
       // The identity of a camera of focal length one: the rays are the pixels, among them the outermost that are seen
       // and many beyond.
       for (int i = 0; i < n; ++i) {
@@ -60,14 +60,14 @@ TEST(KernelBounds, ReadAndWriteWithinTheArrays) {
       kernel::Depth depth;
       depth.data = depth_image.floats();
       depth.width = kWidth, depth.height = kHeight, depth.stride = 4 * kWidth;
-      depth.hidden = hidden.bytes();
-      depth.hidden_width = kWidth, depth.hidden_height = kHeight, depth.hidden_stride = kHiddenStride;
+      depth.occluders = occluders.bytes();
+      depth.occluders_width = kWidth, depth.occluders_height = kHeight, depth.occluders_stride = kOccludersStride;
       depth.occlusion_relative = 10, depth.occlusion_absolute = 10, depth.sigma = 0.1f, depth.weight = 1;
       for (const kernel::Kernels* k : kernel_variants())
         for (const kernel::Depth* term : {static_cast<const kernel::Depth*>(nullptr), &std::as_const(depth)})
           // With the larger scale the outermost points see the corners of depth and mask, and beyond.
           for (const float scale : {1.f, 1.06f}) {
-            depth.scale = depth.hidden_scale = scale;
+            depth.scale = depth.occluders_scale = scale;
             in.depth = term;
             in.gradient = scale > 1 ? dot::GradientSource::Mean : dot::GradientSource::Reference;
             kernel::Sums sums, pose;
@@ -104,7 +104,7 @@ TEST(KernelBounds, ImagesTooSmallToSampleAreNotRead) {
 
 TEST(KernelBounds, TheLastByteOfTheMaskCounts) {
   constexpr int kSize = 12;
-  const Guarded image(kSize * kSize, true), depth_image(4 * kSize * kSize, true), hidden(kSize * kSize, true);
+  const Guarded image(kSize * kSize, true), depth_image(4 * kSize * kSize, true), occluders(kSize * kSize, true);
   std::memset(image.bytes(), 50, kSize * kSize);
   std::memset(depth_image.bytes(), 0, 4 * kSize * kSize);
   const float at = kSize - 3.25f, zero = 0, one = 1;
@@ -114,18 +114,18 @@ TEST(KernelBounds, TheLastByteOfTheMaskCounts) {
   kernel::Depth depth;
   depth.data = depth_image.floats();
   depth.width = depth.height = kSize, depth.stride = 4 * kSize;
-  depth.hidden = hidden.bytes();
-  depth.hidden_width = depth.hidden_height = kSize, depth.hidden_stride = kSize;
-  depth.hidden_scale = 11.5f / (at + 0.5f);  // to the middle of the last pixel
+  depth.occluders = occluders.bytes();
+  depth.occluders_width = depth.occluders_height = kSize, depth.occluders_stride = kSize;
+  depth.occluders_scale = 11.5f / (at + 0.5f);  // to the middle of the last pixel
   in.depth = &depth;
   for (const kernel::Kernels* k : kernel_variants()) {
     kernel::Sums sums;
-    std::memset(hidden.bytes(), 255, kSize * kSize);
-    hidden.bytes()[kSize * kSize - 1] = 0;
+    std::memset(occluders.bytes(), 255, kSize * kSize);
+    occluders.bytes()[kSize * kSize - 1] = 0;
     k->linearize(in, sums);
     EXPECT_EQ(sums.seen, 1) << k->name;
-    std::memset(hidden.bytes(), 0, kSize * kSize);
-    hidden.bytes()[kSize * kSize - 1] = 1;
+    std::memset(occluders.bytes(), 0, kSize * kSize);
+    occluders.bytes()[kSize * kSize - 1] = 1;
     k->linearize(in, sums);
     EXPECT_EQ(sums.occluded, 1) << k->name;
   }

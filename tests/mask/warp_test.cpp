@@ -307,7 +307,7 @@ TEST(Warp, TrimsOccluderAndBackground) {
   int hidden = 0;
   for (int v = 0; v < kHeight; ++v)
     for (int u = 280; u < 300; ++u) hidden += source.mask.at(u, v);
-  EXPECT_EQ(found.hidden_area, hidden);
+  EXPECT_EQ(found.occluded_area, hidden);
 }
 
 // Two thirds of it are behind a wall that was not measured everywhere.
@@ -322,9 +322,9 @@ TEST(Warp, CountsWhatSomethingNearerHides) {
         if (u % 10 == 0) measured(u, v) = 0;
       }
     WarpedMask found = warp(source, SE3d(), measured.view());
-    EXPECT_EQ(found.hidden_area, (edge - 200) * 36);
+    EXPECT_EQ(found.occluded_area, (edge - 200) * 36);
     EXPECT_EQ(found.confirmed_area, (300 - edge) * 36);
-    EXPECT_EQ(found.is_mostly_hidden(), edge == 270);
+    EXPECT_EQ(found.is_mostly_occluded(), edge == 270);
     EXPECT_EQ(found.mask.area, (300 - edge) * 40 + (edge - 200) * 4);
     dot::drop_unmeasured(measured.view(), found.mask);
     EXPECT_EQ(found.mask.area, found.confirmed_area);

@@ -30,7 +30,7 @@ struct MovingBox {
   dot::ObjectReference reference;
   dot::Pyramid image;
   dot::DepthPyramid depth;
-  dot::Image<std::uint8_t> hidden;
+  dot::Image<std::uint8_t> occluders;
 
   /// @param scatter 1/m. @param before_it what stands between it and the camera.
   explicit MovingBox(unsigned seed, double scatter = 0, const std::vector<dot::test::Body>& before_it = {}) {
@@ -50,8 +50,8 @@ struct MovingBox {
       for (int x = 0; x < q.width(); ++x) q(x, y) += static_cast<float>(random.normal(scatter));
     depth.build(
         q.width(), q.height(), [&](int y, float* out) { std::copy_n(q.row(y), q.width(), out); }, kLevels);
-    hidden.resize(q.width(), q.height());
-    hidden.fill(0);
+    occluders.resize(q.width(), q.height());
+    occluders.fill(0);
     reference.points = dot::test::exact_points(
         before, camera, pyramid, 4, [&](int x, int y) { return before.ids(x, y) == 7; }, 1e-4f);
     for (std::size_t i = 0; i < reference.points.u.size(); ++i)
@@ -74,7 +74,7 @@ struct MovingBox {
     dot::DirectAligner<> aligner;
     dot::MinimaWorkspace workspace;
     const dot::ReferencePair pair{reference, standing_camera(), dt};
-    return estimator.fit(pair, dot::ObjectScene<dot::Pinhole>{image, camera, depth, hidden.view()}, starts, known,
+    return estimator.fit(pair, dot::ObjectScene<dot::Pinhole>{image, camera, depth, occluders.view()}, starts, known,
                          noise, aligner, workspace);
   }
 };

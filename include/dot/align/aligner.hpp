@@ -103,9 +103,9 @@ struct DirectAligner {
              tukey_cost_sum(p.r_depth.data(), nullptr, p.size(), problem.depth.sigma * problem.depth.sigma, c);
     if (seen < 10) return std::numeric_limits<double>::infinity();
     sum += problem.photometric_cost(state);
-    if (problem.hidden_cost <= 0) return sum / seen;
+    if (problem.unseen_cost <= 0) return sum / seen;
     const int all = problem.points.size();
-    return (sum + problem.hidden_cost * (all - seen)) / all;
+    return (sum + problem.unseen_cost * (all - seen)) / all;
   }
 
   /// Sets `costs` to the Tukey cost of each point on a level, with a given sigma_I; negative where it is not seen.
@@ -219,7 +219,7 @@ struct DirectAligner {
     return sigma;
   }
   double sigma_of_median_square() {
-    return static_cast<double>(kSigmaOfMedian * std::sqrt(median_of_magnitudes(scratch_)));
+    return static_cast<double>(static_cast<float>(kSigmaOfMedian) * std::sqrt(median_of_magnitudes(scratch_)));
   }
 
   /// H and g of [A x; a; b], the twist about the axes turned by R, from those of [x; a; b].

@@ -90,10 +90,10 @@ struct KernelReduction {
       measured.width = depth.inverse_depth.width, measured.height = depth.inverse_depth.height;
       measured.stride = depth.inverse_depth.stride;
       measured.scale = std::ldexp(1.f, level - depth.level);
-      measured.hidden = depth.hidden.data;
-      measured.hidden_width = depth.hidden.width, measured.hidden_height = depth.hidden.height;
-      measured.hidden_stride = depth.hidden.stride;
-      measured.hidden_scale = std::ldexp(1.f, level);
+      measured.occluders = depth.occluders.data;
+      measured.occluders_width = depth.occluders.width, measured.occluders_height = depth.occluders.height;
+      measured.occluders_stride = depth.occluders.stride;
+      measured.occluders_scale = std::ldexp(1.f, level);
       measured.occlusion_relative = depth.occlusion_relative;
       measured.occlusion_absolute = depth.occlusion_sigmas * depth.sigma;
       measured.sigma = depth.sigma, measured.weight = depth.weight;

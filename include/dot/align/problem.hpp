@@ -28,7 +28,7 @@ struct AlignProblem {
   AlignState photometry{};                             ///< expected gain and offset
   double gain_information = 0;                         ///< of the gain about that
   double offset_information = 0;                       ///< of the offset about that
-  double hidden_cost = 0;  ///< what a hidden point, or one that left the image, counts when minima are ranked
+  double unseen_cost = 0;  ///< what a hidden point, or one that left the image, counts when minima are ranked
   const DepthPyramid* depth_pyramid = nullptr;  ///< of the new frame; null: depth.inverse_depth serves at all levels
 
   /// The depth term at a pyramid level.

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "dot/abi.hpp"
+#include "dot/align/align_state.hpp"
 #include "dot/image/pyramid.hpp"
 #include "dot/kernel/photometric.hpp"
-#include "dot/lie/se3.hpp"
 #include "dot/points/point_set.hpp"
 
 /// @file
@@ -28,21 +28,14 @@ using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
 /// What the measured depth of the new frame says of a point (objects only).
 struct DepthTerm {
-  ImageView<const float> inverse_depth;  ///< of the new frame, 0 = none; empty = term not used
-  ImageView<const std::uint8_t> hidden;  ///< non-zero: a nearer object covers the pixel; may be empty
-  float occlusion_relative = 0.15f;      ///< a measured surface nearer by this share hides the point ...
-  float occlusion_sigmas = 6;            ///< ... if it also exceeds this many sigma
-  int level = 0;                         ///< pyramid level of inverse_depth; `hidden` is of level 0
-  float sigma = 0;                       ///< of the difference measured - predicted, 1/m
-  float agreement = 0;                   ///< difference within which the two agree, 1/m
-  float weight = 0;                      ///< of one point's depth residual
-};
-
-/// Pose and photometry at which a reduction linearises.
-struct AlignState {
-  SE3d T;             ///< T_i_j of the points
-  double gain = 1;    ///< a
-  double offset = 0;  ///< b, grey values
+  ImageView<const float> inverse_depth;     ///< of the new frame, 0 = none; empty = term not used
+  ImageView<const std::uint8_t> occluders;  ///< non-zero: a nearer object covers the pixel; may be empty
+  float occlusion_relative = 0.15f;         ///< a measured surface nearer by this share hides the point ...
+  float occlusion_sigmas = 6;               ///< ... if it also exceeds this many sigma
+  int level = 0;                            ///< pyramid level of inverse_depth; `occluders` is of level 0
+  float sigma = 0;                          ///< of the difference measured - predicted, 1/m
+  float agreement = 0;                      ///< difference within which the two agree, 1/m
+  float weight = 0;                         ///< of one point's depth residual
 };
 
 /// Noise model of a reduction, and whose gradients it takes: s^2 = sigma_I^2 + (dr/dq sigma_q)^2 + (gradient_noise

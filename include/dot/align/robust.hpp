@@ -11,6 +11,7 @@
 #include "dot/abi.hpp"
 #include "dot/image/buffer.hpp"
 #include "dot/kernel/lanes.hpp"
+#include "dot/statistics/median.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -110,10 +111,9 @@ inline float median_of_magnitudes(Buffer<float>& values) {
   return *middle;
 }
 
-/// Standard deviation of a normal over the median of its absolute value.
-constexpr float kSigmaOfMedian = 1.4826f;
-
 /// Standard deviation from the median absolute residual about zero. `scratch` is reordered or shortened.
-inline float mad_sigma(Buffer<float>& scratch) { return kSigmaOfMedian * median_of_magnitudes(scratch); }
+inline float mad_sigma(Buffer<float>& scratch) {
+  return static_cast<float>(kSigmaOfMedian) * median_of_magnitudes(scratch);
+}
 
 DOT_END_NAMESPACE

@@ -57,9 +57,9 @@ struct DepthNoise {
   }
   double prior_shared_sigma(double q) const {
     switch (settings.source) {
-      case DepthSource::Stereo: return settings.stereo_common_px / focal_baseline;
-      case DepthSource::Rgbd: return settings.rgbd_common + 5e-4 * q;
-      case DepthSource::Lidar: return (settings.lidar_common * q + 0.2 * settings.lidar_relative) * q;
+      case DepthSource::Stereo: return settings.stereo_shared_px / focal_baseline;
+      case DepthSource::Rgbd: return settings.rgbd_shared + 5e-4 * q;
+      case DepthSource::Lidar: return (settings.lidar_shared * q + 0.2 * settings.lidar_relative) * q;
       case DepthSource::Unknown: break;
     }
     return 0.5 * settings.unknown_relative * q;

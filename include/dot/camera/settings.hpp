@@ -13,15 +13,15 @@ enum class DepthSource : std::uint8_t { Unknown, Stereo, Rgbd, Lidar };
 struct DepthNoiseSettings {
   DepthSource source = DepthSource::Unknown;
   double stereo_sigma_px = 0.3;   ///< disparity noise of one pixel
-  double stereo_common_px = 0.2;  ///< disparity error that an object's pixels share
+  double stereo_shared_px = 0.2;  ///< disparity error that an object's pixels share
   /// Prior, pixels, of a disparity error that depends on the place in the image alone: of a calibration that is a
   /// little off. It is learnt from the background and taken from the depth; 0: there is none.
   double stereo_bias_px = 0.3;
   double rgbd_sigma = 0.002;       ///< metres at 1 m; grows with the square of the depth
-  double rgbd_common = 0.001;      ///< metres at 1 m, shared by an object's pixels
+  double rgbd_shared = 0.001;      ///< metres at 1 m, shared by an object's pixels
   double lidar_sigma = 0.03;       ///< metres
   double lidar_relative = 0.01;    ///< share of the inverse depth: interpolation between the beams
-  double lidar_common = 0.01;      ///< metres, shared
+  double lidar_shared = 0.01;      ///< metres, shared
   double unknown_relative = 0.01;  ///< share of the inverse depth (per pixel), until measured
 };
 

@@ -6,8 +6,9 @@
 #include <cstddef>
 
 #include "dot/align/aligner.hpp"
+#include "dot/align/photometric_factor.hpp"
 #include "dot/camera/depth_bias.hpp"
-#include "dot/motion/chi2.hpp"
+#include "dot/statistics/chi2.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -51,6 +52,7 @@ class DepthBiasLearning {
     const double to_s = 2.0 / image.width(), to_t = 2.0 / image.height();
     const Matrix3<float> R = a.state.T.R.template cast<float>();
     const Vector3<float> t = a.state.T.t.template cast<float>();
+    const PhotometricModel<double> factor(a.state, settings.gradient_noise);
     const float u_max = static_cast<float>(image.width() - 3), v_max = static_cast<float>(image.height() - 3);
     for (std::size_t i = 0; i < points.u.size(); ++i) {
       const float q = points.q[i];
@@ -60,12 +62,9 @@ class DepthBiasLearning {
       const Vector2<float> pixel = camera.template project<float>(X, &J_pi);
       if (!(pixel.x() >= 1 && pixel.y() >= 1 && pixel.x() < u_max && pixel.y() < v_max)) continue;
       const Sample s = sample(image, pixel.x(), pixel.y());
-      const Vector3<double> dr_dX = (J_pi.transpose() * Vector2<float>(s.gx, s.gy)).template cast<double>();
       const double intensity = static_cast<double>(points.intensity[0][i]);
-      const double r = static_cast<double>(s.value) - a.state.gain * intensity - a.state.offset;
-      const double dr_dq = dr_dX.dot(a.state.T.t), by_depth = dr_dq * static_cast<double>(points.sigma_q[i]);
-      const double gradient2 = static_cast<double>(s.gx * s.gx + s.gy * s.gy);
-      const double s2 = sq(a.sigma_intensity) + sq(by_depth) + sq(settings.gradient_noise) * gradient2;
+      const auto [r, dr_dX, dr_dq, extra] = factor(s, J_pi, intensity, static_cast<double>(points.sigma_q[i]));
+      const double s2 = sq(a.sigma_intensity) + extra;
       const double fits = 1 - r * r / (s2 * sq(settings.tukey));
       if (fits <= 0) continue;
       Row J;

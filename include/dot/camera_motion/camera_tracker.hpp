@@ -80,7 +80,8 @@ class CameraTracker {
   DepthBiasLearning bias_learning_;
 
   PointSet fresh_;
-  Image<std::uint8_t> mask_, mask_rows_;  ///< 255: no object there nor near
+  Image<std::uint8_t> mask_;       ///< 255: background, some pixels away from any object
+  Image<std::uint8_t> mask_rows_;  ///< scratch of the erosion that makes it
   std::vector<SE3d> starts_;
 };
 

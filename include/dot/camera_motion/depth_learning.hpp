@@ -14,6 +14,7 @@
 #include "dot/containers/recycling_list.hpp"
 #include "dot/image/image.hpp"
 #include "dot/lie/se3.hpp"
+#include "dot/statistics/median.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -67,7 +68,7 @@ struct DepthLearning {
     double value() const {
       std::array<float, kFrames> v;
       std::copy(said.begin(), said.end(), v.begin());
-      return static_cast<double>(median(v.data(), said.size()));
+      return static_cast<double>(lower_median(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(said.size())));
     }
     /// Blended with the prior 1 as if that were one frame, and a quarter for what a median hides.
     double blended() const {
@@ -146,8 +147,6 @@ struct DepthLearning {
   }
 
  private:
-  static constexpr double kSigmaOfMad = 1.4826;  ///< of a normal, over its median absolute deviation
-
   template <typename Camera>
   void compare(const Camera& camera, const Patches& p, const Image<float>& inverse_depth, const DepthNoise& noise,
                const DepthBias& bias, Scale& shared, Scale* single) {
@@ -160,10 +159,10 @@ struct DepthLearning {
     for (std::size_t k = 0; k + 1 < p.begin.size(); ++k)
       compare_patch(camera, p, k, static_cast<float>(p.place[k].dot(learnt)), R, t, inverse_depth, noise,
                     single != nullptr);
-    if (medians_.size() < kMinPatches || static_cast<double>(median(motion_.data(), motion_.size())) < kMinMotion)
+    if (medians_.size() < kMinPatches || static_cast<double>(lower_median(motion_.begin(), motion_.end())) < kMinMotion)
       return;
-    shared.add(quantile(medians_.data(), medians_.size(), kSharedQuantile) / kSigmasOfQuantile);
-    if (single) single->add(median(scatters_.data(), scatters_.size()));
+    shared.add(quantile(medians_.begin(), medians_.end(), kSharedQuantile) / kSigmasOfQuantile);
+    if (single) single->add(lower_median(scatters_.begin(), scatters_.end()));
   }
 
   /// What one patch says, if it is seen again and is one surface.
@@ -200,23 +199,16 @@ struct DepthLearning {
     const double other_surface = kOtherSurface * noise.prior_pixel_sigma(middle);
     const double relief = std::max(other_surface, kRelief * middle);
     if (static_cast<double>(q_max - q_min) > relief) return;  // more than one surface
-    const float m = median(differences_.data(), differences_.size());
+    const float m = lower_median(differences_.begin(), differences_.end());
     if (static_cast<double>(std::abs(m)) > other_surface) return;  // something nearer hides it now
     motion_.push_back((last_position - camera.template project<float>(last_ray)).norm());
     medians_.push_back(static_cast<float>(std::abs(m) / noise.prior_shared_sigma(middle)));
     if (!scatter) return;
     for (float& d : differences_) d = std::abs(d - m);
-    scatters_.push_back(
-        static_cast<float>(kSigmaOfMad * static_cast<double>(median(differences_.data(), differences_.size())) /
-                           std::sqrt(2.0) / noise.prior_pixel_sigma(middle)));
+    scatters_.push_back(static_cast<float>(static_cast<double>(kSigmaOfMedian) *
+                                           static_cast<double>(lower_median(differences_.begin(), differences_.end())) /
+                                           std::sqrt(2.0) / noise.prior_pixel_sigma(middle)));
   }
-
-  static float quantile(float* values, std::size_t size, double share) {
-    float* const k = values + static_cast<std::ptrdiff_t>(share * static_cast<double>(size - 1));
-    std::nth_element(values, k, values + size);
-    return *k;
-  }
-  static float median(float* values, std::size_t size) { return quantile(values, size, 0.5); }
 
   int first_ = 0;  ///< patch of the first row
   std::vector<float> differences_, medians_, scatters_, motion_;

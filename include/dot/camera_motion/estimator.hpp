@@ -13,6 +13,7 @@
 #include "dot/align/minima.hpp"
 #include "dot/align/settings.hpp"
 #include "dot/camera_motion/search.hpp"
+#include "dot/statistics/median.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -166,9 +167,7 @@ struct CameraMotionEstimator {
   static double median_depth(const PointSet& points, std::vector<float>& q) {
     q = points.q;
     if (q.empty()) return 0;
-    const auto middle = q.begin() + static_cast<std::ptrdiff_t>(q.size() / 2);
-    std::nth_element(q.begin(), middle, q.end());
-    return 1 / static_cast<double>(*middle);
+    return 1 / static_cast<double>(median(q.begin(), q.end()));
   }
 
   /// Drops minima that are not among the best, of a level.

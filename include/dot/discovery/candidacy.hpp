@@ -10,7 +10,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Whether a discovered object is shown. Until that is decided it is a candidate.
+/// A discovered object is a candidate until its fits confirm that it moves. Candidates are not shown in the results.
 struct Candidacy {
   static constexpr double kConfirmedSeconds = 0.05;    ///< of fits that agree, from which on a discovery is shown
   static constexpr double kMaxConfirmedSeconds = 0.5;  ///< beyond which no more are counted

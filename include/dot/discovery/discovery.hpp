@@ -35,7 +35,9 @@ class Discovery {
   double reference_seconds = 0.4;
   std::vector<Mask> masks;  ///< of the regions of this frame
 
-  /// The depth noise for what no mask shows. Unknown movers teach it too, as background, and must not hide themselves.
+  /// The depth noise with which `find` compares. Its scales are learnt from the background, and an object without a
+  /// mask is part of that background. If the object moves, it makes the learnt noise larger. The bound keeps this
+  /// larger noise from hiding the object.
   static Noise bounded(Noise noise) {
     constexpr double kMaxLearntScale = 3;  // of the noise that is shared, over its prior
     if constexpr (std::is_same_v<Noise, DepthNoise>) {

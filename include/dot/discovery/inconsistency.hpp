@@ -8,7 +8,9 @@
 
 #include "dot/camera/concept.hpp"
 #include "dot/image/image.hpp"
+#include "dot/image/pyramid.hpp"
 #include "dot/lie/se3.hpp"
+#include "dot/statistics/median.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -189,23 +191,13 @@ class InconsistencyTest {
       }
   }
 
-  static float bilinear(const Image<std::uint8_t>& image, float u, float v) {
-    const int x = static_cast<int>(u), y = static_cast<int>(v);
-    const float a = u - static_cast<float>(x), b = v - static_cast<float>(y);
-    const std::uint8_t *p0 = image.row(y) + x, *p1 = image.row(y + 1) + x;
-    return (1 - b) * ((1 - a) * static_cast<float>(p0[0]) + a * static_cast<float>(p0[1])) +
-           b * ((1 - a) * static_cast<float>(p1[0]) + a * static_cast<float>(p1[1]));
-  }
-
   /// Of the cells whose depth agrees; grey values, at least one.
   float intensity_scale() {
     magnitudes_.clear();
     for (const Residual& r : residuals_)
       if (r.agrees) magnitudes_.push_back(std::abs(r.value));
     if (magnitudes_.size() < 20) return 10;
-    const auto middle = magnitudes_.begin() + static_cast<std::ptrdiff_t>(magnitudes_.size() / 2);
-    std::nth_element(magnitudes_.begin(), middle, magnitudes_.end());
-    return std::max(1.f, 1.4826f * *middle);
+    return std::max(1.f, static_cast<float>(kSigmaOfMedian) * median(magnitudes_.begin(), magnitudes_.end()));
   }
 
   struct Residual {

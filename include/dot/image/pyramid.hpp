@@ -62,6 +62,15 @@ inline int pyramid_levels(int width, int height, int max_levels) {
   return levels;
 }
 
+/// Value of an 8-bit image at (u, v), bilinear. @pre 0 <= u < width - 1 and 0 <= v < height - 1.
+inline float bilinear(const Image<std::uint8_t>& image, float u, float v) {
+  const int x = static_cast<int>(u), y = static_cast<int>(v);
+  const float a = u - static_cast<float>(x), b = v - static_cast<float>(y);
+  const std::uint8_t *p0 = image.row(y) + x, *p1 = image.row(y + 1) + x;
+  return (1 - b) * ((1 - a) * static_cast<float>(p0[0]) + a * static_cast<float>(p0[1])) +
+         b * ((1 - a) * static_cast<float>(p1[0]) + a * static_cast<float>(p1[1]));
+}
+
 /// Value and gradient of an 8-bit image at (u, v), bilinear between the pixels' values and central differences.
 struct Sample {
   float value, gx, gy;  ///< grey values; grey values per pixel

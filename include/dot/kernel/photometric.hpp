@@ -54,12 +54,12 @@ struct Noise {
 struct Depth {
   const float* data = nullptr;  ///< 1/m, 0 = none
   int width = 0, height = 0;
-  std::ptrdiff_t stride = 0;              ///< bytes
-  float scale = 1;                        ///< from pixels of the level (and a half) to those of `data`
-  const unsigned char* hidden = nullptr;  ///< non-zero: a nearer object covers the pixel of level 0; may be null
-  int hidden_width = 0, hidden_height = 0;
-  std::ptrdiff_t hidden_stride = 0;
-  float hidden_scale = 1;  ///< to pixels of `hidden`
+  std::ptrdiff_t stride = 0;                 ///< bytes
+  float scale = 1;                           ///< from pixels of the level (and a half) to those of `data`
+  const unsigned char* occluders = nullptr;  ///< non-zero: a nearer object covers the pixel of level 0; may be null
+  int occluders_width = 0, occluders_height = 0;
+  std::ptrdiff_t occluders_stride = 0;
+  float occluders_scale = 1;  ///< to pixels of `occluders`
   float occlusion_relative = 0, occlusion_absolute = 0;
   float sigma = 0, weight = 0;
 };

@@ -41,7 +41,10 @@ inline bool beside_nearer(const Image<float>& inverse_depth, int x, int y, float
   return false;
 }
 
-/// @param tolerance of inverse depths, relative; @param measured_now whether q was: two guesses are no evidence
+/// Moves a point from the present frame to the segmented frame and compares it with the depth and the ids there.
+/// @param T_then_cur from the present camera, or object, to the segmented frame. @param ray (x, y, 1) of the point.
+/// @param q its inverse depth, 1/m. @param measured_now whether q was measured. A point without a measurement in either
+/// frame is no evidence. @param tolerance of inverse depths, relative. @param id of the object.
 template <typename Camera>
 InSegmentedFrame classify_in_segmented_frame(const SegmentedFrame& frame, const SE3f& T_then_cur, const Camera& camera,
                                              const Vector3<float>& ray, float q, float tolerance, std::uint32_t id,

@@ -8,6 +8,7 @@
 
 #include "dot/camera/concept.hpp"
 #include "dot/mask/mask.hpp"
+#include "dot/statistics/median.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -35,9 +36,8 @@ Vector3<double> centre_of(const Mask& mask, const Image<float>& inverse_depth, c
       if (value > 0) values.push_back(value);
     }
   if (values.size() < kEnough) return Vector3<double>::Zero();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return camera.template unproject<double>(Vector2<double>(u / n, v / n)) / static_cast<double>(*middle);
+  const double q = static_cast<double>(median(values.begin(), values.end()));
+  return camera.template unproject<double>(Vector2<double>(u / n, v / n)) / q;
 }
 
 DOT_END_NAMESPACE

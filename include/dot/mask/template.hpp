@@ -13,6 +13,7 @@
 #include "dot/image/image.hpp"
 #include "dot/image/view.hpp"
 #include "dot/mask/mask.hpp"
+#include "dot/statistics/median.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -160,22 +161,16 @@ inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth
 
   float* const begin = workspace.values.data();
   float* const end = begin + count;
-  const auto rank = [](double share, std::ptrdiff_t n) {
-    return static_cast<std::ptrdiff_t>(share * static_cast<double>(n - 1));
-  };
-  const auto nth = [begin](std::ptrdiff_t n, float* first, float* last) {
-    std::nth_element(first, begin + n, last);
-    return static_cast<double>(begin[n]);
-  };
-  float* const middle = begin + rank(0.5, count);
-  const double median = nth(rank(0.5, count), begin, end);
-  const double low = std::max(nth(rank(0.2, count), begin, middle + 1), (1 - tolerance) * median) * (1 - tolerance);
-  const double high = std::min(nth(rank(0.8, count), middle, end), (1 + tolerance) * median) * (1 + tolerance);
+  const Spread<float> measured = spread(begin, end);
+  const double median = static_cast<double>(measured.middle);
+  const double low = std::max(static_cast<double>(measured.low), (1 - tolerance) * median) * (1 - tolerance);
+  const double high = std::min(static_cast<double>(measured.high), (1 + tolerance) * median) * (1 + tolerance);
   const std::ptrdiff_t accepted = templates::integrate(low, high, out.inverse_depth, workspace);
   if (accepted < kMinTemplateDepth) return out.clear(), false;
   const auto below = std::count_if(begin, end, [low](float q) { return static_cast<double>(q) < low; });
-  const std::ptrdiff_t half = below + rank(0.5, accepted);
-  out.median = begin + half < middle ? nth(half, begin, middle) : nth(half, middle, end);
+  float *const middle = begin + (count - 1) / 2, *const half = begin + below + (accepted - 1) / 2;
+  std::nth_element(half < middle ? begin : middle, half, half < middle ? middle : end);  // `spread` left it half done
+  out.median = static_cast<double>(*half);
   out.measured = true;
   if (&mask != &out.mask) out.mask = mask;
   templates::average(out.mask, workspace, out.inverse_depth);

@@ -24,17 +24,17 @@ struct WarpedMask {
   double expected_area = 0;    ///< pixels it would have in an endless image with nothing in front of it
   int inside_area = 0;         ///< pixels inside the image, before trimming
   int confirmed_area = 0;      ///< of these, where the predicted depth was measured,
-  int hidden_area = 0;         ///< and where something nearer was
+  int occluded_area = 0;       ///< and where something nearer was
 
   void clear() {
     mask.clear();
     inverse_depth.resize(0, 0);
     expected_area = 0;
-    inside_area = confirmed_area = hidden_area = 0;
+    inside_area = confirmed_area = occluded_area = 0;
   }
 
   /// Whether something nearer stands where it should be, mostly. Then that is likely where nothing was measured, too.
-  bool is_mostly_hidden() const { return 2 * confirmed_area < hidden_area; }
+  bool is_mostly_occluded() const { return 2 * confirmed_area < occluded_area; }
 };
 
 /// Buffers of `warp`.
@@ -223,7 +223,7 @@ void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& 
   double outside = 0;
   const SE3f T = T_cur_template.template cast<float>();
   const warping::Box box = warping::move_template(source, T, camera, workspace, outside);
-  int area = 0, inside = 0, confirmed = 0, hidden = 0;
+  int area = 0, inside = 0, confirmed = 0, occluded = 0;
   int left = box.x1, right = box.x0 - 1, top = box.y1, bottom = box.y0 - 1;
   Image<float>& surface = workspace.surface;
   if (box.x0 < box.x1 && box.y0 < box.y1) {
@@ -242,7 +242,7 @@ void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& 
         if (!(q > 0) || !(pz[i] > 0) || !warping::covers(mask.pixels, pu[i] - mask_x, pv[i] - mask_y)) continue;
         ++inside;
         if (trim && measured[i] > 0 && std::isfinite(measured[i])) {
-          hidden += measured[i] - q > limit * q;
+          occluded += measured[i] - q > limit * q;
           if (std::abs(measured[i] - q) > limit * q) continue;
           ++confirmed;
         }
@@ -258,7 +258,7 @@ void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& 
 
   out.inside_area = inside;
   out.confirmed_area = confirmed;
-  out.hidden_area = hidden;
+  out.occluded_area = occluded;
   out.expected_area = inside + outside;
   out.mask.area = area;
   out.mask.x = area > 0 ? left : 0;

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "dot/motion/chi2.hpp"
 #include "dot/motion/estimate.hpp"
 #include "dot/motion/settings.hpp"
 #include "dot/motion/velocity_trust.hpp"
+#include "dot/statistics/chi2.hpp"
 
 DOT_BEGIN_NAMESPACE
 

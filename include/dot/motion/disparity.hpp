@@ -10,6 +10,7 @@
 #include "dot/camera/concept.hpp"
 #include "dot/lie/se3.hpp"
 #include "dot/points/point_set.hpp"
+#include "dot/statistics/median.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -44,9 +45,7 @@ DynamicDisparity dynamic_disparity(const PointSet& points, const Camera& camera,
     noise += (G * sigma * G.transpose()).trace();
   }
   if (n == 0) return out;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(n / 2);
-  std::nth_element(distances.begin(), middle, distances.begin() + static_cast<std::ptrdiff_t>(n));
-  out.median_px = *middle;
+  out.median_px = median(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(n));
   out.noise_px = std::sqrt(std::max(0.0, noise / static_cast<double>(n)));
   return out;
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dot/motion/chi2.hpp"
 #include "dot/motion/estimate.hpp"
+#include "dot/statistics/chi2.hpp"
 
 DOT_BEGIN_NAMESPACE
 

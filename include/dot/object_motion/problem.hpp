@@ -16,8 +16,8 @@ template <typename Camera>
 struct ObjectScene {
   const Pyramid& image;
   const Camera& camera;
-  const DepthPyramid& depth;             ///< of the frame
-  ImageView<const std::uint8_t> hidden;  ///< non-zero where a nearer object was found already
+  const DepthPyramid& depth;                ///< of the frame
+  ImageView<const std::uint8_t> occluders;  ///< non-zero where a nearer object was found already
 };
 
 /// Information of the twist of T_o about zero over `dt` seconds.
@@ -27,7 +27,7 @@ DOT_INLINE Matrix6<double> prior_information(const MotionPriorSettings& prior, d
 template <typename Camera, typename Noise>
 AlignProblem<Camera> object_problem(const ReferencePair& pair, const ObjectScene<Camera>& scene,
                                     const MotionPriorSettings& prior, const Noise& noise) {
-  constexpr double kHiddenCost = 1;      // of a point that is not seen: an inlier costs about 0.45, an outlier 3.7
+  constexpr double kUnseenCost = 1;      // of a point that is not seen: an inlier costs about 0.45, an outlier 3.7
   constexpr double kNearest = 0.05;      // metres
   constexpr double kAgreeingSigmas = 3;  // by which a depth may differ
   constexpr int kCorrelatedArea = 45;    // pixels whose depths say together what one says, as of Selector
@@ -40,12 +40,12 @@ AlignProblem<Camera> object_problem(const ReferencePair& pair, const ObjectScene
   problem.photometry = {SE3d{}, pair.camera.gain, pair.camera.offset};
   problem.gain_information = 1 / (prior.gain * prior.gain);
   problem.offset_information = 1 / (prior.offset * prior.offset);
-  problem.hidden_cost = kHiddenCost;
+  problem.unseen_cost = kUnseenCost;
   const double q = 1 / std::max(kNearest, reference.centroid.z());
   const double pixel = noise.pixel_sigma(q), change = noise.shared_drift_sigma(q);
   problem.depth.inverse_depth = scene.depth.levels[0].view();
   problem.depth_pyramid = &scene.depth;
-  problem.depth.hidden = scene.hidden;
+  problem.depth.occluders = scene.occluders;
   problem.depth.sigma = static_cast<float>(std::sqrt(pixel * pixel + change * change));
   // On an object the depth may be worse than on the background that taught its noise.
   problem.depth.agreement = static_cast<float>(

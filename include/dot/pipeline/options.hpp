@@ -65,13 +65,13 @@ void for_each_option_range(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(camera.multistart_shift, 0, 100);
   DOT_OPTION(camera.covariance_scale, 0.01, 1e3);
   DOT_OPTION(depth_noise.stereo_sigma_px, 1e-3, 100);
-  DOT_OPTION(depth_noise.stereo_common_px, 0, 100);
+  DOT_OPTION(depth_noise.stereo_shared_px, 0, 100);
   DOT_OPTION(depth_noise.stereo_bias_px, 0, 100);
   DOT_OPTION(depth_noise.rgbd_sigma, 1e-6, 1);
-  DOT_OPTION(depth_noise.rgbd_common, 0, 1);
+  DOT_OPTION(depth_noise.rgbd_shared, 0, 1);
   DOT_OPTION(depth_noise.lidar_sigma, 1e-4, 10);
   DOT_OPTION(depth_noise.lidar_relative, 0, 1);
-  DOT_OPTION(depth_noise.lidar_common, 0, 10);
+  DOT_OPTION(depth_noise.lidar_shared, 0, 10);
   DOT_OPTION(depth_noise.unknown_relative, 1e-5, 1);
   DOT_OPTION(object.min_points, 1, 1e5);
   DOT_OPTION(object.min_visible, 0, 1);

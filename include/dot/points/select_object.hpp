@@ -10,6 +10,7 @@
 #include "dot/image/morphology.hpp"
 #include "dot/mask/centre.hpp"
 #include "dot/points/select.hpp"
+#include "dot/statistics/median.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -92,13 +93,8 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
     for (int x = 0; x < box.width; x += step)
       if (mask(x, y) && depth(x, y) > 0) values.push_back(depth(x, y));
   if (values.size() < 10) return out;
-  const auto rank = [&](double p) {
-    return values.begin() + static_cast<std::ptrdiff_t>(p * static_cast<double>(values.size() - 1));
-  };
-  const auto at = [](auto first, auto nth, auto last) { return std::nth_element(first, nth, last), *nth; };
-  const auto half = rank(0.5);
-  out.median_q = at(values.begin(), half, values.end());
-  const float far = at(values.begin(), rank(0.2), half), near = at(half + 1, rank(0.8), values.end());
+  const auto [far, median_q, near] = spread(values.begin(), values.end());
+  out.median_q = median_q;
   const float z = 1 / out.median_q;
   const float widen = std::min(3.5f, 0.25f * z + (1 / far - 1 / near));
   const float sigma = static_cast<float>(select.noise.pixel_sigma(out.median_q)), slack = 4 * sigma;

@@ -14,17 +14,17 @@ DOT_BEGIN_NAMESPACE
 struct OutlineWorkspace {
   WarpWorkspace warp;
   WarpedMask moved;  ///< not trimmed
-  HiddenPart hidden;
+  HiddenPart hidden_part;
   TemplateWorkspace shape;
 };
 
 /// An object's outline over time: the last mask that was seen of it, and where that is. `now` is the newest frame that
 /// the object was followed to.
 struct TrackedOutline {
-  MaskTemplate shape;      ///< the last mask that was seen
-  MaskTemplate hidden;     ///< what something nearer hid of it then
-  SE3d T_now_shape;        ///< composed motion of the object's points since then
-  bool is_newest = false;  ///< it is of the last frame that was segmented, and the camera's motion since is known
+  MaskTemplate shape;        ///< the last mask that was seen
+  MaskTemplate hidden_part;  ///< what something nearer hid of it then
+  SE3d T_now_shape;          ///< composed motion of the object's points since then
+  bool is_newest = false;    ///< it is of the last frame that was segmented, and the camera's motion since is known
 
   WarpedMask warped;   ///< the shape in the frame at hand
   SE3d T_frame_shape;  ///< the motion that it was warped by
@@ -49,7 +49,7 @@ struct TrackedOutline {
   template <typename Camera>
   void take(const Mask& observed, const SE3d& T_frame_old, const Image<float>& inverse_depth, double far,
             const Camera& camera, const MaskSettings& settings, OutlineWorkspace& workspace) {
-    remember_hidden(observed, T_frame_old, inverse_depth, camera, settings, workspace);
+    remember_hidden_part(observed, T_frame_old, inverse_depth, camera, settings, workspace);
     const double q = shape.median > 0 ? shape.median : far;
     if (!make_template(observed, inverse_depth.view(), settings.depth_tolerance, workspace.shape, shape))
       make_flat_template(observed, q, shape);
@@ -59,16 +59,16 @@ struct TrackedOutline {
  private:
   /// Remembers what of the outline is behind something now that a mask shows the rest: to know it when it comes out.
   template <typename Camera>
-  void remember_hidden(const Mask& observed, const SE3d& T_frame_old, const Image<float>& inverse_depth,
-                       const Camera& camera, const MaskSettings& settings, OutlineWorkspace& workspace) {
-    workspace.hidden.clear();
-    for (const MaskTemplate* part : {&shape, &hidden}) {
+  void remember_hidden_part(const Mask& observed, const SE3d& T_frame_old, const Image<float>& inverse_depth,
+                            const Camera& camera, const MaskSettings& settings, OutlineWorkspace& workspace) {
+    workspace.hidden_part.clear();
+    for (const MaskTemplate* part : {&shape, &hidden_part}) {
       if (!part->measured) continue;
-      if (part == &shape && warped.hidden_area < settings.min_pixels) continue;
+      if (part == &shape && warped.occluded_area < settings.min_pixels) continue;
       warp(*part, T_frame_old, camera, {}, 0, workspace.warp, workspace.moved);
-      workspace.hidden.add(workspace.moved, inverse_depth.view(), settings.depth_tolerance, observed);
+      workspace.hidden_part.add(workspace.moved, inverse_depth.view(), settings.depth_tolerance, observed);
     }
-    workspace.hidden.make_template(hidden);
+    workspace.hidden_part.make_template(hidden_part);
   }
 };
 

@@ -42,13 +42,13 @@ struct Track {
     Track fresh;
     fresh.identity.id = id;
     outline.shape.clear();
-    outline.hidden.clear();
+    outline.hidden_part.clear();
     outline.warped.clear();
     outline.mask.clear();
     motion.references.clear();
     motion.path.clear();
     std::swap(fresh.outline.shape, outline.shape);
-    std::swap(fresh.outline.hidden, outline.hidden);
+    std::swap(fresh.outline.hidden_part, outline.hidden_part);
     std::swap(fresh.outline.warped, outline.warped);
     std::swap(fresh.outline.mask, outline.mask);
     std::swap(fresh.motion.references, motion.references);
@@ -84,7 +84,7 @@ struct Track {
 
   /// Whether nothing of it is in view but what an earlier mask showed of it may come out.
   bool may_come_out() const {
-    return !outline.visible && !outline.hidden.mask.empty() && !lost && !candidacy.is_candidate &&
+    return !outline.visible && !outline.hidden_part.mask.empty() && !lost && !candidacy.is_candidate &&
            !outline.contradicted;
   }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "dot/align/photometric_factor.hpp"
 #include "dot/align/robust.hpp"
 
 /// @file
@@ -29,12 +30,12 @@ void SerialReduction::run(const PointSet& points, int level, const Camera& camer
   const int n = points.size();
   const Matrix3<float> R = state.T.R.cast<float>();
   const Vector3f t = state.T.t.cast<float>(), about = centre.cast<float>();
-  const float gain = static_cast<float>(state.gain), offset = static_cast<float>(state.offset);
+  const float gain = static_cast<float>(state.gain);
+  const PhotometricModel<float> factor(state, noise.gradient_noise);
   // From pixels of this level to those of the depth, and of level 0.
   const float to_depth = std::ldexp(1.f, level - depth.level), to_base = std::ldexp(1.f, level);
   const float u_max = static_cast<float>(image.width() - 3), v_max = static_cast<float>(image.height() - 3);
   const float s2_intensity = noise.sigma_intensity * noise.sigma_intensity;
-  const float gradient2 = noise.gradient_noise * noise.gradient_noise;
   const bool use_depth = depth.inverse_depth.data != nullptr;
   const std::vector<float>& reference = points.intensity[static_cast<std::size_t>(level)];
 
@@ -74,9 +75,9 @@ void SerialReduction::run(const PointSet& points, int level, const Camera& camer
         const float difference = measured - qi;
         const bool nearer =
             measured > 0 && difference > std::max(depth.occlusion_relative * qi, depth.occlusion_sigmas * depth.sigma);
-        const bool hidden = depth.hidden.data != nullptr &&
-                            depth.hidden(static_cast<int>(left * to_base), static_cast<int>(top * to_base));
-        if (nearer || hidden) {
+        const bool occluded = depth.occluders.data != nullptr &&
+                              depth.occluders(static_cast<int>(left * to_base), static_cast<int>(top * to_base));
+        if (nearer || occluded) {
           if (out) out->visibility[k] = kernel::kOccluded;
           if (sums) ++sums->occluded;
           continue;
@@ -94,13 +95,7 @@ void SerialReduction::run(const PointSet& points, int level, const Camera& camer
       s.gx = own * s.gx + (1 - own) * scale * points.gu[l][k];
       s.gy = own * s.gy + (1 - own) * scale * points.gv[l][k];
     }
-    const float r = s.value - gain * reference[k] - offset;
-    // The residual's derivative by the moved point X~, and by its inverse depth (dX~/dq = t).
-    const Vector3f dr_dX(s.gx * J_pi(0, 0) + s.gy * J_pi(1, 0), s.gx * J_pi(0, 1) + s.gy * J_pi(1, 1),
-                         s.gx * J_pi(0, 2) + s.gy * J_pi(1, 2));
-    const float dr_dq = dr_dX.dot(t);
-    const float by_depth = dr_dq * points.sigma_q[k];
-    const float extra = by_depth * by_depth + gradient2 * (s.gx * s.gx + s.gy * s.gy);
+    const auto [r, dr_dX, dr_dq, extra] = factor(s, J_pi, reference[k], points.sigma_q[k]);
     ++seen;
     if (out) {
       out->r[k] = r, out->extra[k] = extra, out->value[k] = s.value, out->r_depth[k] = r_depth;

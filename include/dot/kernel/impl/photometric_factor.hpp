@@ -116,14 +116,14 @@ void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Blo
       const F limit = V::max(V::mul(V::set(d.occlusion_relative), qi), V::set(d.occlusion_absolute));
       const M measures = V::both(inside, V::less(zero, measured));
       occluded = V::both(measures, V::less(limit, difference));
-      if (d.hidden) {
-        const F to_hidden = V::set(d.hidden_scale);
-        const auto uh = V::mini(V::to_int(V::mul(left, to_hidden)), V::seti(d.hidden_width - 1));
-        const auto vh = V::mini(V::to_int(V::mul(top, to_hidden)), V::seti(d.hidden_height - 1));
-        const int stride = static_cast<int>(d.hidden_stride);
-        occluded =
-            V::either(occluded, V::both(inside, V::nonzero_byte(d.hidden, V::addi(V::muli(vh, V::seti(stride)), uh),
-                                                                stride * (d.hidden_height - 1) + d.hidden_width)));
+      if (d.occluders) {
+        const F to_occluders = V::set(d.occluders_scale);
+        const auto uh = V::mini(V::to_int(V::mul(left, to_occluders)), V::seti(d.occluders_width - 1));
+        const auto vh = V::mini(V::to_int(V::mul(top, to_occluders)), V::seti(d.occluders_height - 1));
+        const int stride = static_cast<int>(d.occluders_stride);
+        occluded = V::either(occluded,
+                             V::both(inside, V::nonzero_byte(d.occluders, V::addi(V::muli(vh, V::seti(stride)), uh),
+                                                             stride * (d.occluders_height - 1) + d.occluders_width)));
       }
       tally.occluded += V::count(occluded);
       seen = V::without(seen, occluded);

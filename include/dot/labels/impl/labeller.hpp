@@ -21,7 +21,7 @@ void Labeller<Camera, Noise>::label(const List& far_to_near, const FramePtr& cur
   for (Track* t : far_to_near) {
     TrackedOutline& outline = t->outline;
     if (!outline.visible) outline.mask.clear();
-    if (!t->observed && t->belief.state != State::Static && outline.warped.is_mostly_hidden())
+    if (!t->observed && t->belief.state != State::Static && outline.warped.is_mostly_occluded())
       drop_unmeasured(cur->inverse_depth().view(), outline.mask);
   }
   paint(far_to_near, camera.width(), camera.height(), ids_);
@@ -86,8 +86,8 @@ void Labeller<Camera, Noise>::show_new_parts(const Track& t, const FrameData& cu
                                   std::hypot(noise.prior_pixel_sigma(q), noise.prior_shared_sigma(q)));
     return std::min(3 * std::sqrt(2.0) * sigma / q, settings.depth_tolerance);
   };
-  if (!t.outline.hidden.mask.empty()) {
-    warp(t.outline.hidden, t.outline.T_now_shape, camera, {}, 0, warp_workspace_, expected_);
+  if (!t.outline.hidden_part.mask.empty()) {
+    warp(t.outline.hidden_part, t.outline.T_now_shape, camera, {}, 0, warp_workspace_, expected_);
     reveal(expected_, segmented, T_seg_object, T_seg_static, camera, inverse_depth, t.identity.id, tolerance, ids_,
            box);
   }

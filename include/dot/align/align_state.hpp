@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dot/lie/se3.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Pose and photometry at which a reduction linearises.
+struct AlignState {
+  SE3d T;             ///< T_i_j of the points
+  double gain = 1;    ///< a
+  double offset = 0;  ///< b, grey values
+};
+
+DOT_END_NAMESPACE

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <iterator>
+#include <type_traits>
+
+#include "dot/abi.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Standard deviation of a normal over the median of its absolute value.
+constexpr double kSigmaOfMedian = 1.4826;
+
+/// Value of which that share of the others is smaller, the lower one of two. The values are reordered.
+/// @pre first != last, 0 <= share <= 1.
+template <typename Iterator>
+auto quantile(Iterator first, Iterator last, double share) {
+  const auto nth = static_cast<std::ptrdiff_t>(share * static_cast<double>(std::distance(first, last) - 1));
+  std::nth_element(first, first + nth, last);
+  return first[nth];
+}
+
+/// The middle value, the lower one of two. The values are reordered. @pre first != last.
+template <typename Iterator>
+auto lower_median(Iterator first, Iterator last) {
+  return quantile(first, last, 0.5);
+}
+
+/// Where most of some values are.
+template <typename Value>
+struct Spread {
+  Value low, middle, high;  ///< quantiles of .2, .5, .8
+};
+
+/// At the cost of little more than a median. The values are reordered: those below the middle come first.
+/// @pre first != last.
+template <typename Iterator>
+auto spread(Iterator first, Iterator last) {
+  const auto at = [&](double share) {
+    return first + static_cast<std::ptrdiff_t>(share * static_cast<double>(std::distance(first, last) - 1));
+  };
+  const Iterator low = at(0.2), middle = at(0.5), high = at(0.8);
+  std::nth_element(first, middle, last);
+  std::nth_element(first, low, middle);
+  if (high != middle) std::nth_element(middle + 1, high, last);
+  return Spread<std::decay_t<decltype(*first)>>{*low, *middle, *high};
+}
+
+/// The middle value, the upper one of two. The values are reordered. @pre first != last.
+template <typename Iterator>
+auto median(Iterator first, Iterator last) {
+  const auto half = std::distance(first, last) / 2;
+  std::nth_element(first, first + half, last);
+  return first[half];
+}
+
+DOT_END_NAMESPACE

@@ -24,15 +24,15 @@
 static_assert(DOT_HEADER_VERSION == DOT_VERSION_MAJOR * 1000000 + DOT_VERSION_MINOR * 1000 + DOT_VERSION_PATCH,
               "dot/dot.h and dot/version.hpp must state the same version");
 
-using namespace dot_c;  // NOLINT(google-build-using-namespace): marshal/ is this file's other half
+using namespace dot_c;  // NOLINT(google-build-using-namespace): marshal/ is a part of this file
 
 namespace {
 
-/// A message in memory of its own: reporting that memory is short must not take any.
+/// A message in a fixed buffer, because the report of a lack of memory must not allocate.
 struct ErrorText {
   char text[512];
 
-  /// In one line, whatever the message of another library looks like.
+  /// Stores the text in one line, also if a message of another library has several.
   void set(const char* message) noexcept {
     std::snprintf(text, sizeof text, "%s", message);
     for (char* c = text; *c != '\0'; ++c)
@@ -56,8 +56,8 @@ struct dot_tracker {
   dot_tracker(const dot::Intrinsics& camera, const dot::Options& options) : tracker(camera, options) { error.clear(); }
 
   dot::Tracker tracker;
-  const dot::Result* result = nullptr;   // of the tracker's last frame; null when there is none
-  std::vector<dot::Instance> instances;  // of the call at work; here to keep its memory
+  const dot::Result* result = nullptr;   // of the tracker's last frame; null if there is none
+  std::vector<dot::Instance> instances;  // of the current call; a member to keep its memory
   ErrorText error;
   dot_log_function log = nullptr;
   void* log_user = nullptr;
@@ -67,7 +67,7 @@ struct dot_tracker {
 
 namespace {
 
-/// Runs `body` and turns what it throws into a status; status and text are set here and nowhere else.
+/// Runs `body` and turns its exceptions into a status. Status and text are set only here.
 template <typename Body>
 dot_status guard(ErrorText& error, Body&& body) noexcept {
   error.clear();
@@ -95,7 +95,7 @@ void log(const dot_tracker& tracker, std::uint32_t level, const char* text) noex
   if (tracker.log == nullptr) return;
   try {
     tracker.log(tracker.log_user, level, text);
-  } catch (...) {  // a host in C++ may throw; nobody here could answer it
+  } catch (...) {  // a host in C++ may throw; it cannot be handled here
   }
 }
 
@@ -117,8 +117,7 @@ class Use {
   bool granted_;
 };
 
-/// The same for a call on a tracker. Whatever interrupts one half-way leaves a state that nobody has planned; the
-/// tracker starts afresh from there.
+/// The same for a call on a tracker. An interrupted call leaves an undefined state, so the tracker is reset.
 template <typename Body>
 dot_status guard(dot_tracker* tracker, Body&& body) noexcept {
   if (tracker == nullptr) return DOT_INVALID_ARGUMENT;
@@ -133,7 +132,7 @@ dot_status guard(dot_tracker* tracker, Body&& body) noexcept {
   return status;
 }
 
-/// Tells when the camera's motion becomes a guess, and when it is known again.
+/// Logs when the camera's motion becomes a guess, and when it is known again.
 void log_camera(dot_tracker& tracker, std::uint32_t status) noexcept {
   const auto guessed = [](std::uint32_t s) { return s == DOT_CAMERA_LOST || s == DOT_CAMERA_TOO_LITTLE_DEPTH; };
   const std::uint32_t before = tracker.camera_status;

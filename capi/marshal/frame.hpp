@@ -13,11 +13,11 @@
 #include "structs.hpp"
 
 /// @file
-/// A frame of a C caller as one of the C++ interface; errors name its fields.
+/// Converts a frame of a C caller to one of the C++ interface. Errors name its fields.
 
 namespace dot_c {
 
-/// One line of the table of formats that a caller may hand in.
+/// One line of the table of formats that a caller may use.
 struct Format {
   std::uint32_t value;
   dot::PixelFormat format;
@@ -49,7 +49,8 @@ inline const Format& find_format(std::uint32_t value, std::initializer_list<std:
   invalid(name + ".format is " + std::to_string(value) + ", must be one of " + list);
 }
 
-/// Checks what could make us read outside the caller's memory, and what only exists in C; dot::Tracker checks the rest.
+/// Checks all that could cause reads outside the caller's memory, and all that exists only in C. dot::Tracker checks
+/// the rest.
 inline dot::ImageRef read_image(const dot_image* in, std::initializer_list<std::uint32_t> allowed,
                                 const FieldName& name) {
   const dot_image image = read(in, name);
@@ -74,7 +75,7 @@ inline dot::ImageRef read_image(const dot_image* in, std::initializer_list<std::
   return ref;
 }
 
-/// @param masks the name of what holds the instance.
+/// @param masks the name of the masks that contain the instance.
 inline dot::Instance read_instance(const dot_instance* in, bool has_ids, const char* masks, std::ptrdiff_t index) {
   const FieldName name(masks, "", index);
   const dot_instance instance = read(in, name);
@@ -101,7 +102,7 @@ inline dot::Masks read_masks(const dot_masks* in, const char* name, std::vector<
   instances.clear();
   if (masks.instance_count > 0) {
     if (masks.instances == nullptr) invalid(FieldName(name) + ".instances is NULL, instance_count is not 0");
-    // The caller's elements may be shorter than ours: their own size is the step.
+    // The caller's elements may be shorter than ours, so the step is their own size.
     const std::uint32_t step = masks.instances->struct_size;
     const auto* bytes = reinterpret_cast<const unsigned char*>(masks.instances);
     for (std::size_t i = 0; i < masks.instance_count; ++i) {

@@ -14,7 +14,7 @@
 #include "structs.hpp"
 
 /// @file
-/// Camera, options and policy of a C caller as those of the C++ interface; errors name their fields.
+/// Converts camera, options and policy of a C caller to those of the C++ interface. Errors name their fields.
 
 namespace dot_c {
 
@@ -101,7 +101,7 @@ inline dot::Intrinsics read_camera(const dot_camera* in) {
   return out;
 }
 
-// The _INIT macros repeat the defaults of the C++ structs, which are their home.
+// The _INIT macros repeat the defaults, which are defined by the C++ structs.
 constexpr dot_options default_options = DOT_OPTIONS_INIT;
 static_assert(default_options.background_points == dot::SelectionSettings{}.background_points);
 static_assert(default_options.object_points == dot::SelectionSettings{}.object_points);

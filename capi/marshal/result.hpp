@@ -12,7 +12,7 @@
 #include "structs.hpp"
 
 /// @file
-/// Results as structs of dot.h, and images to a C caller's buffers.
+/// Converts results to structs of dot.h, and copies images to a C caller's buffers.
 
 namespace dot_c {
 
@@ -20,7 +20,7 @@ constexpr std::uint32_t to_c(dot::State state) { return static_cast<std::uint32_
 constexpr std::uint32_t to_c(dot::Reason reason) { return static_cast<std::uint32_t>(reason); }
 constexpr std::uint32_t to_c(dot::CameraStatus status) { return static_cast<std::uint32_t>(status); }
 
-// The C values are pinned; these stop a change of the C++ ones from changing them.
+// The C values are fixed. These checks prevent that a change of the C++ values changes them.
 static_assert(to_c(dot::State::Background) == DOT_STATE_BACKGROUND);
 static_assert(to_c(dot::State::Static) == DOT_STATE_STATIC);
 static_assert(to_c(dot::State::Moving) == DOT_STATE_MOVING);

@@ -15,7 +15,7 @@
 #include "dot/frame/field_name.hpp"
 
 /// @file
-/// Structs of dot.h: their sizes checked, copied in and out.
+/// Checks the sizes of structs of dot.h and copies them in and out.
 
 namespace dot_c {
 
@@ -23,8 +23,8 @@ using dot::FieldName;
 
 [[noreturn]] inline void invalid(const std::string& message) { throw std::invalid_argument(message); }
 
-/// Sizes of a struct in the forms that were published. When a struct grows, the offset of its first new field goes
-/// here: any size between would cut a field in half.
+/// Sizes of a struct in all published versions. If a struct grows, add the offset of its first new field here. Any size
+/// in between would cut a field in half.
 template <typename T>
 constexpr std::array<std::uint32_t, 1> published_sizes{sizeof(T)};
 template <>
@@ -53,7 +53,7 @@ T read(const T* in, const FieldName& name) {
   return out;
 }
 
-/// Fills in a struct of the caller as far as its header goes.
+/// Fills in a struct of the caller, up to the size in the caller's header.
 template <typename T>
 void write(const T& value, T* out, const char* name) {
   if (out == nullptr) invalid(std::string(name) + " is NULL");

@@ -13,7 +13,7 @@
 /// DOT_BEGIN_NAMESPACE, whose inline namespace is named after the alignment. Units with different flags then have
 /// different symbols: they work side by side, or they do not link, but they never corrupt memory.
 ///
-/// A build that must not share code with its host can set DOT_ABI_TAG to another name; our compiled tier does.
+/// A build that must not share code with its host can set DOT_ABI_TAG to another name, as our compiled tier does.
 #ifdef DOT_ABI_TAG
 #define DOT_HAS_OWN_ABI_TAG
 #else

@@ -3,7 +3,7 @@
 #pragma once
 
 /// @file
-/// Everything of the header tier. The compiled default pipeline, without Eigen and OpenCV in its interface, is
+/// All headers of the header tier. The compiled default pipeline, without Eigen and OpenCV in its interface, is in
 /// dot/tracker.hpp.
 
 #include "dot/camera/pinhole.hpp"

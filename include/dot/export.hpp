@@ -3,10 +3,10 @@
 #pragma once
 
 /// @file
-/// DOT_EXPORT marks what the compiled tier (libdot_core) offers.
+/// DOT_EXPORT marks the interface of the compiled tier (libdot_core).
 ///
-/// Right for a static and a shared library alike, and inside and outside CMake: a user defines nothing. Windows needs
-/// no dllimport for classes without data members; functions are found through the import library.
+/// It works for a static and a shared library, with and without CMake; a user defines nothing. Windows needs no
+/// dllimport for classes without data members. Functions are found through the import library.
 #if defined(_WIN32)
 #if defined(DOT_CORE_EXPORTS)
 #define DOT_EXPORT __declspec(dllexport)

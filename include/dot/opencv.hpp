@@ -11,7 +11,7 @@
 #include "dot/tracker.hpp"
 
 /// @file
-/// All that a host with cv::Mat needs:
+/// All functions that a host with cv::Mat needs:
 ///
 ///     dot::Tracker tracker(camera, options);
 ///     ...

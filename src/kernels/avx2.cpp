@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
 //
-// Built with -mavx2 -mfma. No header of the standard library or of Eigen: an inline function of theirs, compiled here,
-// could be the copy that the linker keeps for everybody.
+// Built with -mavx2 -mfma. Do not include headers of the standard library or of Eigen. The linker could keep the copy
+// of their inline functions that is compiled here for the whole program.
 #include <immintrin.h>
 
 #include "dot/kernel/impl/kernels_of.hpp"
@@ -78,7 +78,7 @@ struct Avx2 {
   static I gather4(const unsigned char* base, I at) {
     return _mm256_i32gather_epi32(reinterpret_cast<const int*>(base), at, 1);
   }
-  /// Four bytes are loaded; the last ones are reached from those before them.
+  /// Loads four bytes at once. For the last bytes the load starts before them.
   static M nonzero_byte(const unsigned char* base, I at, int bytes) {
     const I start = mini(at, seti(bytes - 4));
     const I byte = _mm256_srlv_epi32(gather4(base, start), _mm256_slli_epi32(_mm256_sub_epi32(at, start), 3));

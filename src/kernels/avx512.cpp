@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
 //
-// Built with -mavx512f -mavx512dq -mfma; see avx2.cpp on what may be included.
+// Built with -mavx512f -mavx512dq -mfma. See avx2.cpp about included headers.
 #include <immintrin.h>
 
 #include "dot/kernel/impl/kernels_of.hpp"
@@ -67,7 +67,7 @@ struct Avx512 {
   }
   static F gather(const float* base, I bytes) { return _mm512_i32gather_ps(bytes, base, 1); }
   static I gather4(const unsigned char* base, I at) { return _mm512_i32gather_epi32(at, base, 1); }
-  /// Four bytes are loaded; the last ones are reached from those before them.
+  /// Loads four bytes at once. For the last bytes the load starts before them.
   static M nonzero_byte(const unsigned char* base, I at, int bytes) {
     const I start = mini(at, seti(bytes - 4));
     const I byte = _mm512_srlv_epi32(gather4(base, start), _mm512_slli_epi32(_mm512_sub_epi32(at, start), 3));

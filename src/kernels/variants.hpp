@@ -5,7 +5,7 @@
 #include "dot/kernel/kernels.hpp"
 
 /// @file
-/// The variants that a build contains; each may be called only on a machine that has its instructions.
+/// The variants that a build contains. Each may be called only on a machine that has its instructions.
 
 namespace dot::kernel {
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 
 /// @file
-/// The default pipeline for those who use the header tier: see pipeline/compiled.hpp and abi.hpp.
-// The alignments that Eigen has by itself on most machines, whatever flags the build has: hosts with others compile it
-// themselves.
+/// The default pipeline for users of the header tier: see pipeline/compiled.hpp and abi.hpp.
+// Uses Eigen's own alignments on most machines, whatever the flags of the build are. Hosts with other alignments
+// compile the pipeline themselves.
 #undef EIGEN_DONT_ALIGN
 #undef EIGEN_DONT_ALIGN_STATICALLY
 #undef EIGEN_MAX_ALIGN_BYTES

@@ -9,19 +9,19 @@
 ///
 /// Conventions. Axes x right, y down, z forward; metres, radians, seconds; pixel centres at integer coordinates. T_a_b
 /// maps coordinates of b into a and is stored as a row-major 3x4 matrix of doubles. Covariances are row-major.
-/// Booleans are bits of a `flags` field. Ids are never 0 where they name something.
+/// Booleans are bits of a `flags` field. A valid id is never 0.
 ///
 /// Structs. Every struct but dot_setting starts with `struct_size`, which the caller sets to its sizeof, for inputs and
 /// for outputs: `dot_frame frame = DOT_FRAME_INIT;`, or in C99 `{.struct_size = sizeof frame}`. Structs grow at their
-/// end only; a field that an older caller does not have counts as zero. A size that is not that of a published header
+/// end only. A field that an older caller does not have counts as zero. A size that is not that of a published header
 /// (0, of a newer header, or one that cuts a field in half) is an error.
 ///
-/// Errors. Functions return DOT_OK or a negative status; the text, which names the field at fault, is in
-/// dot_last_error, for functions without a tracker in dot_create_error. Nothing aborts, exits, throws or prints.
+/// Errors. Functions return DOT_OK or a negative status. The text, which names the field at fault, is in
+/// dot_last_error, or in dot_create_error for functions without a tracker. No function aborts, exits, throws or prints.
 ///
-/// Threads. Trackers are independent; one thread at a time may use a given one, for reading too. A call that meets
-/// another one at work on the same tracker changes nothing and returns DOT_BUSY. That finds the mistake; it is no lock:
-/// dot_last_error and dot_destroy are not covered by it.
+/// Threads. Trackers are independent. Only one thread at a time may use a given tracker, also for reading. A call
+/// during another call on the same tracker changes nothing and returns DOT_BUSY. This detects the mistake, but it is no
+/// lock: dot_last_error and dot_destroy are not covered by it.
 
 #if defined(_WIN32) && !defined(DOT_CAPI_STATIC)
 #ifdef DOT_CAPI_EXPORTS
@@ -44,8 +44,8 @@
 /// Version of this header: 1000000 major + 1000 minor + patch. Compare with dot_version().
 #define DOT_HEADER_VERSION 1000
 
-/// Version of the binary interface, also that of the shared library's name. A program compiled against this header runs
-/// with every library whose dot_abi_version() is the same and whose dot_version() is not older.
+/// Version of the binary interface, which is also in the shared library's name. A program compiled against this header
+/// runs with every library whose dot_abi_version() is the same and whose dot_version() is not older.
 #define DOT_ABI_VERSION 0
 
 #ifdef __cplusplus
@@ -56,11 +56,11 @@ extern "C" {
 typedef int32_t dot_status;
 enum {
   DOT_OK = 0,
-  DOT_INVALID_ARGUMENT = -1,  ///< the text names the field; nothing has changed
-  DOT_NO_RESULT = -2,         ///< nothing tracked yet, or not since dot_reset or a failure
+  DOT_INVALID_ARGUMENT = -1,  ///< the text names the field; the state is unchanged
+  DOT_NO_RESULT = -2,         ///< no frame tracked yet, or none since dot_reset or a failure
   DOT_OUT_OF_MEMORY = -3,     ///< the tracker has been reset
   DOT_INTERNAL = -4,          ///< a fault of the library; the tracker has been reset
-  DOT_BUSY = -5  ///< another call on this tracker has not ended; nothing has changed, dot_last_error neither
+  DOT_BUSY = -5               ///< another call on this tracker has not ended; all is unchanged, also dot_last_error
 };
 
 /// dot_image.format. 0 is none, so that a forgotten format is an error.
@@ -82,13 +82,13 @@ enum {
   DOT_STATE_BACKGROUND = 0,
   DOT_STATE_STATIC = 1,
   DOT_STATE_MOVING = 2,
-  DOT_STATE_NOT_OBSERVABLE = 3  ///< the data does not decide between the two
+  DOT_STATE_NOT_OBSERVABLE = 3  ///< the data does not decide between static and moving
 };
 
 /// Why an object has no motion estimate in this frame (or was dropped after it).
 enum {
   DOT_REASON_NONE = 0,  ///< it has one
-  DOT_REASON_NEW = 1,   ///< first seen in this frame, and the frame before tells no motion
+  DOT_REASON_NEW = 1,   ///< first seen in this frame, and the frame before gives no motion
   DOT_REASON_NO_REFERENCE = 2,
   DOT_REASON_TOO_FEW_PIXELS = 3,
   DOT_REASON_TOO_LITTLE_DEPTH = 4,
@@ -100,15 +100,16 @@ enum {
   DOT_REASON_TOO_FEW_INLIERS = 10,
   DOT_REASON_DEPTH_DISAGREES = 11,
   DOT_REASON_IMPLAUSIBLE = 12,  ///< faster than the setting object.max_speed
-  DOT_REASON_HIDDEN = 13,       ///< neither its prediction nor a mask shows it
+  DOT_REASON_HIDDEN = 13,       ///< neither predicted to be visible nor shown by a mask
   DOT_REASON_CAMERA_LOST = 14,
-  DOT_REASON_LOST = 15,             ///< not seen for too long: dropped after this frame
-  DOT_REASON_TOO_MANY_OBJECTS = 16  ///< not among the largest, setting "object.max_fitted": carried on as it moved last
+  DOT_REASON_LOST = 15,  ///< not seen for too long: dropped after this frame
+  DOT_REASON_TOO_MANY_OBJECTS =
+      16  ///< not among the largest, setting "object.max_fitted": predicted at its last velocity
 };
 
 /// dot_camera_result.status.
 enum {
-  DOT_CAMERA_FIRST_FRAME = 0,       ///< no reference: T_cur_prev is the identity and means nothing
+  DOT_CAMERA_FIRST_FRAME = 0,       ///< no reference: T_cur_prev is the identity without meaning
   DOT_CAMERA_TRACKED = 1,           ///< estimated from the image
   DOT_CAMERA_FROM_HOST = 2,         ///< dot_frame.camera_motion
   DOT_CAMERA_TOO_LITTLE_DEPTH = 3,  ///< T_cur_prev is the constant-velocity guess
@@ -122,11 +123,11 @@ enum {
   DOT_CLASSIFIER_ENTROPY_LITERAL = 2
 };
 
-/// dot_options.depth_source: sets the form of the depth noise.
+/// dot_options.depth_source. It determines the form of the depth noise.
 enum { DOT_DEPTH_UNKNOWN = 0, DOT_DEPTH_STEREO = 1, DOT_DEPTH_RGBD = 2, DOT_DEPTH_LIDAR = 3 };
 
 /// dot_instance.flags.
-enum { DOT_INSTANCE_ALWAYS_DYNAMIC = 1 };  ///< people and other non-rigid things: always reported as moving
+enum { DOT_INSTANCE_ALWAYS_DYNAMIC = 1 };  ///< people and other non-rigid objects: always reported as moving
 
 /// dot_object.flags.
 enum {
@@ -137,9 +138,9 @@ enum {
 
 /// dot_exclusion_policy.flags.
 enum {
-  DOT_EXCLUDE_NOT_OBSERVABLE = 1,  ///< objects that never were decided; later they count as last decided
+  DOT_EXCLUDE_NOT_OBSERVABLE = 1,  ///< objects that were never decided; for others the last decision counts
   DOT_EXCLUDE_STATIC = 2,
-  DOT_EXCLUDE_INVERTED = 4  ///< write 0 = do not use, 255 = use: what OpenCV's feature detectors take
+  DOT_EXCLUDE_INVERTED = 4  ///< write 0 = do not use, 255 = use, as OpenCV's feature detectors need
 };
 
 /// Level of a log message.
@@ -149,10 +150,10 @@ enum {
   DOT_LOG_INFO = 3      ///< it is known again
 };
 
-/// A tracker and all its memory. Made by dot_create, ended by dot_destroy; not to be shared between threads unlocked.
+/// A tracker and all its memory. Made by dot_create, freed by dot_destroy. Threads that share it must lock it.
 typedef struct dot_tracker dot_tracker;
 
-/// A view of pixels; it owns nothing. As an input it is borrowed for the duration of one call.
+/// A view of pixels. It owns no memory. As an input it is borrowed for the duration of one call.
 typedef struct dot_image {
   uint32_t struct_size;
   uint32_t format;               ///< DOT_FORMAT_
@@ -173,11 +174,11 @@ typedef struct dot_camera {
   double fy;          ///< pixels
   double cx;          ///< pixels
   double cy;          ///< pixels
-  double baseline;    ///< metres; 0 when the depth does not come from stereo
+  double baseline;    ///< metres; 0 if the depth does not come from stereo
 } dot_camera;
 
-/// One setting by its name in dot/pipeline/options.hpp, as "velocity.decide". Integers and booleans are given as whole
-/// numbers. (This struct does not grow: it is an array element without a size.)
+/// One setting by its name in dot/pipeline/options.hpp, such as "velocity.decide". Integers and booleans are given as
+/// whole numbers. (This struct does not grow, because it is an array element without a size.)
 typedef struct dot_setting {
   const char* name;
   double value;
@@ -191,8 +192,8 @@ typedef struct dot_options {
   int32_t background_points;    ///< budget for the background of one frame
   int32_t object_points;        ///< budget for one object
   uint32_t setting_count;       ///< length of `settings`
-  const dot_setting* settings;  ///< further settings, applied last; may be NULL when there are none
-  double v0;                    ///< m/s: what counts as moving
+  const dot_setting* settings;  ///< further settings, applied last; may be NULL if there are none
+  double v0;                    ///< m/s: faster objects count as moving
   double stereo_sigma_px;       ///< pixels: disparity noise of one pixel
 } dot_options;
 
@@ -201,7 +202,7 @@ typedef struct dot_instance {
   uint32_t struct_size;
   uint32_t id;            ///< the caller's, need not be stable from frame to frame
   const dot_image* mask;  ///< GREY8 or ID8, non-zero = object; NULL: the pixels of dot_masks.ids that equal `id`
-  int32_t x;              ///< pixels: where the mask's top left corner lies in the frame
+  int32_t x;              ///< pixels: place of the mask's top left corner in the frame
   int32_t y;              ///< pixels
   int32_t class_id;       ///< the caller's, -1 = unknown
   float score;            ///< of the network
@@ -209,16 +210,16 @@ typedef struct dot_instance {
   uint32_t reserved;      ///< 0
 } dot_instance;
 
-/// The segmentation of one frame: an id image, or instances that may overlap, or an id image with instances that tell
-/// class and score of some of its ids. Both absent: the network ran and saw nothing.
+/// The segmentation of one frame: an id image, or instances that may overlap, or an id image with instances that give
+/// class and score of some of its ids. Both absent: the network ran and found nothing.
 typedef struct dot_masks {
   uint32_t struct_size;
   uint32_t instance_count;
   const dot_image* ids;           ///< ID8, ID16 or ID32, of the frame's size; may be NULL
-  const dot_instance* instances;  ///< may be NULL when there are none
+  const dot_instance* instances;  ///< may be NULL if there are none
 } dot_masks;
 
-/// A camera motion that the host knows better.
+/// A camera motion that the host knows better than the tracker.
 typedef struct dot_camera_motion {
   uint32_t struct_size;
   uint32_t reserved;      ///< 0
@@ -226,7 +227,7 @@ typedef struct dot_camera_motion {
   double covariance[36];  ///< of the left twist [translation; rotation], metres and radians
 } dot_camera_motion;
 
-/// One frame. Everything it points to is borrowed for the duration of dot_track.
+/// One frame. All that it points to is borrowed for the duration of dot_track.
 typedef struct dot_frame {
   uint32_t struct_size;
   uint32_t reserved;                       ///< 0
@@ -236,8 +237,8 @@ typedef struct dot_frame {
   const dot_image* depth;                  ///< DEPTH_F32 or DEPTH_U16; zero, negative, NaN or infinite = no measurement
   const dot_masks* masks;                  ///< NULL: no segmentation for this frame, or not yet
   const dot_camera_motion* camera_motion;  ///< NULL: estimated from the image
-  const double* camera_prior;  ///< where that estimate starts, from odometry or an IMU: T_cur_prev, 12 values; NULL:
-                               ///< constant velocity alone
+  const double* camera_prior;  ///< start of that estimate, from odometry or an IMU: T_cur_prev, 12 values; NULL:
+  ///< constant velocity alone
 } dot_frame;
 
 /// The camera's motion over the last interval.
@@ -248,16 +249,16 @@ typedef struct dot_camera_result {
   int32_t n_inliers;
   uint64_t frame_id;           ///< dot_frame.id
   double timestamp;            ///< dot_frame.timestamp
-  double interval;             ///< seconds since the previous frame, 0 when there is no reference
+  double interval;             ///< seconds since the previous frame, 0 if there is no reference
   double T_cur_prev[12];       ///< T_c
   double covariance[36];       ///< of the left twist [translation; rotation], metres and radians
   double phi;                  ///< Pearson correlation of reference and tracked intensities
   double gain;                 ///< I_cur = gain I_prev + offset
   double offset;               ///< grey values
   double residual_sigma;       ///< grey values, robust
-  double normalised_variance;  ///< of the residuals over their predicted sigma; near 1 when honest
-  double masked_share;         ///< 0 to 1: of the image, what the default policy excludes, before it is widened
-  int32_t small_instances;     ///< of this frame's masks: without a track, too small to start one (mask.min_pixels)
+  double normalised_variance;  ///< of the residuals over their predicted sigma; near 1 if consistent
+  double masked_share;         ///< 0 to 1: share of the image that the default policy excludes, without dilation
+  int32_t small_instances;     ///< masks of this frame without a track, too small to start one (mask.min_pixels)
   uint32_t reserved;           ///< 0
 } dot_camera_result;
 
@@ -267,26 +268,26 @@ typedef struct dot_object {
   uint32_t id;            ///< of the track, never reused by this tracker
   uint32_t state;         ///< DOT_STATE_
   uint32_t reason;        ///< DOT_REASON_
-  uint32_t last_decided;  ///< last state that was STATIC or MOVING; NOT_OBSERVABLE when there was none
+  uint32_t last_decided;  ///< last state that was STATIC or MOVING; NOT_OBSERVABLE if there was none
   uint32_t flags;         ///< DOT_OBJECT_
   uint32_t instance_id;   ///< dot_instance.id, or the value in dot_masks.ids; with DOT_OBJECT_SEGMENTED
   int32_t class_id;       ///< of the last instance associated
   float score;            ///< of the last instance associated
   int32_t area;           ///< visible label pixels
-  int32_t box[4];         ///< x, y, width, height of the visible label pixels; zeros when there are none
+  int32_t box[4];         ///< x, y, width, height of the visible label pixels; zeros if there are none
   int32_t n_points;       ///< points inside the image
   int32_t n_inliers;
   double p_moving;  ///< belief after this frame
 
-  /* The single fit of this frame; meaningful where `reason` is DOT_REASON_NONE. */
+  /* The single fit of this frame. Valid if `reason` is DOT_REASON_NONE. */
   double T_o[12];                 ///< previous camera's axes: a point at X_prev is at T_c T_o X_prev in this camera
   double covariance[36];          ///< of T_o: twist about the centroid, photometric part only
   double velocity[3];             ///< of the centroid, m/s, previous camera's axes
-  double velocity_covariance[9];  ///< with the camera's and the depth's share
+  double velocity_covariance[9];  ///< includes the errors of camera and depth
   double speed;                   ///< m/s
   double phi;                     ///< Pearson correlation
   double disparity_px;            ///< median pixel distance between the points moved by T_c and by T_c T_o
-  double disparity_noise_px;      ///< what of that the covariance explains
+  double disparity_noise_px;      ///< the part of that due to the covariance
   double entropy;                 ///< of the pose, nats
   double range;                   ///< depth of the centroid, metres
   double interval;                ///< seconds that velocity and T_o span
@@ -296,7 +297,7 @@ typedef struct dot_object {
   double fused_covariance[9];
 } dot_object;
 
-/// What dot_exclusion_mask excludes besides moving objects.
+/// The objects that dot_exclusion_mask excludes besides moving ones.
 typedef struct dot_exclusion_policy {
   uint32_t struct_size;
   uint32_t flags;     ///< DOT_EXCLUDE_
@@ -304,11 +305,11 @@ typedef struct dot_exclusion_policy {
   uint32_t reserved;  ///< 0
 } dot_exclusion_policy;
 
-/// What dot_set_log calls. @param user what was given to dot_set_log.
+/// The function called for log messages, see dot_set_log. @param user the value given to dot_set_log.
 /// @param level DOT_LOG_. @param text valid during the call; English, without a line break.
 typedef void (*dot_log_function)(void* user, uint32_t level, const char* text);
 
-/* Initial values: struct_size set, the rest empty or the default. */
+/* Initial values: struct_size is set, the rest is empty or the default. */
 #define DOT_IMAGE_INIT \
   { sizeof(dot_image), 0, 0, 0, 0, 0, 0 }
 #define DOT_CAMERA_INIT \
@@ -343,56 +344,56 @@ DOT_API uint32_t dot_abi_version(void) DOT_NOEXCEPT;
 /// Short English name of a status. Never NULL; static memory.
 DOT_API const char* dot_status_string(dot_status status) DOT_NOEXCEPT;
 
-/// Fills in the defaults, those of DOT_OPTIONS_INIT. @param struct_size sizeof(dot_options). On failure nothing is
-/// written.
+/// Fills in the defaults of DOT_OPTIONS_INIT. @param struct_size sizeof(dot_options). On failure nothing is written.
 DOT_API dot_status dot_options_init(dot_options* options, uint32_t struct_size) DOT_NOEXCEPT;
 
-/// Fills in the defaults, those of DOT_EXCLUSION_POLICY_INIT: objects that never were decided are excluded, static ones
-/// kept, the area is widened by 2 pixels. @param struct_size sizeof(dot_exclusion_policy). On failure nothing is
+/// Fills in the defaults of DOT_EXCLUSION_POLICY_INIT: objects that were never decided are excluded, static ones are
+/// not, and the area is widened by 2 pixels. @param struct_size sizeof(dot_exclusion_policy). On failure nothing is
 /// written.
 DOT_API dot_status dot_exclusion_policy_init(dot_exclusion_policy* policy, uint32_t struct_size) DOT_NOEXCEPT;
 
-/// Makes a tracker, which the caller ends with dot_destroy. @param options NULL for the defaults.
+/// Makes a tracker, which the caller frees with dot_destroy. @param options NULL for the defaults.
 /// @param out set to NULL on failure. The arguments are copied.
 DOT_API dot_status dot_create(const dot_camera* camera, const dot_options* options, dot_tracker** out) DOT_NOEXCEPT;
 
-/// Text of the last call on this thread that takes no tracker (dot_create, the init functions), empty if that
+/// Error text of the last call on this thread that takes no tracker (dot_create, the init functions), empty if that
 /// succeeded. Never NULL; valid until the thread's next such call.
 DOT_API const char* dot_create_error(void) DOT_NOEXCEPT;
 
 /// Frees the tracker and all views that it handed out. NULL is allowed.
 DOT_API void dot_destroy(dot_tracker* tracker) DOT_NOEXCEPT;
 
-/// Has `function` told what goes wrong on this tracker; NULL ends that, and is how every tracker starts. It is called
-/// on the thread of the call that has something to say, before that call returns. It must not use the tracker: every
-/// call on it returns DOT_BUSY. What it throws is dropped.
+/// Sets the function that is called for log messages of this tracker. NULL, the initial value, turns logging off. It is
+/// called on the thread of the call that logs, before that call returns. It must not use the tracker: every call on it
+/// returns DOT_BUSY. Exceptions of the function are dropped.
 DOT_API dot_status dot_set_log(dot_tracker* tracker, dot_log_function function, void* user) DOT_NOEXCEPT;
 
-/// Forgets all frames and objects; keeps buffers and never reuses an id.
+/// Forgets all frames and objects. Keeps the buffers and never reuses an id.
 DOT_API dot_status dot_reset(dot_tracker* tracker) DOT_NOEXCEPT;
 
-/// Labels the objects of one frame. After DOT_INVALID_ARGUMENT the tracker and its last result are as they were before.
+/// Labels the objects of one frame. After DOT_INVALID_ARGUMENT the tracker and its last result are unchanged.
 DOT_API dot_status dot_track(dot_tracker* tracker, const dot_frame* frame) DOT_NOEXCEPT;
 
-/// Masks of an earlier frame, tracked without, that arrive only now: a network may take longer than a frame. They are
-/// carried to the present and show in the next result; the last one is not changed. They come in the order of their
-/// frames, from after the last that was segmented, and at most a second late (setting "mask.late_seconds").
-/// @param frame_id dot_frame.id; the newest, if several frames have it. DOT_INVALID_ARGUMENT when it is none of these
-/// frames; after that the tracker is as it was before.
+/// Takes masks that arrive late, for an earlier frame that was tracked without masks. A network may take longer than a
+/// frame. The masks are moved to the present and appear in the next result. The last result does not change. Masks must
+/// come in the order of their frames, for frames after the last segmented one, and at most a second late (setting
+/// "mask.late_seconds").
+/// @param frame_id dot_frame.id; the newest, if several frames have it. DOT_INVALID_ARGUMENT if it is none of these
+/// frames; the tracker is then unchanged.
 /// @param masks borrowed for the duration of the call.
 DOT_API dot_status dot_submit_masks(dot_tracker* tracker, uint64_t frame_id, const dot_masks* masks) DOT_NOEXCEPT;
 
-/// Number of live objects in the last result, those without pixels too.
+/// Number of live objects in the last result, including those without pixels.
 DOT_API dot_status dot_object_count(dot_tracker* tracker, uint32_t* count) DOT_NOEXCEPT;
 
-/// Copies object `index` of the last result, 0 <= index < count. Sets all of `out` but its struct_size.
+/// Copies object `index` of the last result, 0 <= index < count. Sets all fields of `out` but struct_size.
 DOT_API dot_status dot_get_object(dot_tracker* tracker, uint32_t index, dot_object* out) DOT_NOEXCEPT;
 
-/// Copies the camera's part of the last result. Sets all of `out` but its struct_size.
+/// Copies the camera's part of the last result. Sets all fields of `out` but struct_size.
 DOT_API dot_status dot_get_camera(dot_tracker* tracker, dot_camera_result* out) DOT_NOEXCEPT;
 
-/// View of the label image, DOT_FORMAT_LABEL8, of the frame's size. Its pixels belong to the tracker, valid until
-/// its next dot_track, dot_reset or dot_destroy.
+/// View of the label image, DOT_FORMAT_LABEL8, of the frame's size. Its pixels belong to the tracker and are valid
+/// until its next dot_track, dot_reset or dot_destroy.
 DOT_API dot_status dot_label_image(dot_tracker* tracker, dot_image* out) DOT_NOEXCEPT;
 
 /// View of the track id of each pixel, DOT_FORMAT_ID32, 0 = background. Valid as long as the label image.
@@ -409,13 +410,13 @@ DOT_API dot_status dot_copy_ids(dot_tracker* tracker, uint32_t* data, int32_t wi
                                 int64_t stride_bytes) DOT_NOEXCEPT;
 
 /// Writes the mask that a feature extractor needs: 255 = do not use this pixel, 0 = use it. That is the OPPOSITE of the
-/// mask that OpenCV's feature detectors take; DOT_EXCLUDE_INVERTED writes theirs.
+/// mask that OpenCV's feature detectors need; DOT_EXCLUDE_INVERTED writes theirs.
 /// @param policy NULL for the defaults, see dot_exclusion_policy_init.
 /// @param data the caller's: `height` rows of `width` bytes, `stride_bytes` apart, of the frame's size.
 DOT_API dot_status dot_exclusion_mask(dot_tracker* tracker, const dot_exclusion_policy* policy, uint8_t* data,
                                       int32_t width, int32_t height, int64_t stride_bytes) DOT_NOEXCEPT;
 
-/// Text of the last call on this tracker, empty if that succeeded. Never NULL; valid until the next call on it.
+/// Error text of the last call on this tracker, empty if that succeeded. Never NULL; valid until the next call on it.
 DOT_API const char* dot_last_error(const dot_tracker* tracker) DOT_NOEXCEPT;
 
 #ifdef __cplusplus

@@ -6,7 +6,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Pose and photometry at which a reduction linearises.
+/// Pose and photometric parameters at which a reduction linearises.
 struct AlignState {
   SE3d T;             ///< T_i_j of the points
   double gain = 1;    ///< a

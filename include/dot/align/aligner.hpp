@@ -35,8 +35,8 @@ struct DirectAligner {
     return a;
   }
 
-  /// Refines `start` on one level by the points that fit it, as a redescending cost would: their minimum may be none of
-  /// Huber's cost of all points.
+  /// Refines `start` on one level by the points that fit it, like a redescending cost. The minimum of these points may
+  /// be no minimum of Huber's cost of all points.
   template <typename Camera>
   Alignment align_near(const AlignProblem<Camera>& problem, const AlignState& start, int level) {
     Alignment a;
@@ -46,10 +46,10 @@ struct DirectAligner {
     return a;
   }
 
-  /// Takes outliers by their distance to the fitted line between intensities (paper, section 3.4), refines once more on
-  /// level 0, and fills the statistics.
-  /// @param just_aligned `a` is what the last call on this aligner returned: points that it excluded do not count for
-  /// the residual scale. Otherwise all do: those that another alignment excluded say nothing of this one.
+  /// Rejects outliers by their distance to the fitted line between intensities (paper, section 3.4), refines once more
+  /// on level 0, and fills the statistics.
+  /// @param just_aligned `a` was returned by the last call on this aligner. Then the points that it excluded do not
+  /// count for the residual scale. Otherwise all points count, because the exclusions are of another alignment.
   template <typename Camera>
   void reject_outliers_and_refit(const AlignProblem<Camera>& problem, Alignment& a, bool just_aligned = false) {
     const auto size = static_cast<std::size_t>(problem.points.size());
@@ -61,7 +61,7 @@ struct DirectAligner {
     const auto s2 = [&](std::size_t i) { return sq(a.sigma_intensity) + static_cast<double>(p.extra[i]); };
     exclude_outliers(a);
     refine(problem, 0, a, true);
-    // Statistics over all points, the excluded too.
+    // Statistics over all points, including the excluded ones.
     residuals(problem, 0, a.state, a.sigma_intensity);
     Pearson pearson;
     double sum = 0;
@@ -87,8 +87,8 @@ struct DirectAligner {
     a.reduced_chi2 = a.inliers ? sum / a.inliers : 0;
   }
 
-  /// Mean Tukey cost over the visible points of a level, with a given sigma_I; ranks local minima. Includes the depth
-  /// term and, where the problem sets it, a cost of hidden points. Infinite when nothing is visible.
+  /// Mean Tukey cost over the visible points of a level, with a given sigma_I. It ranks local minima. Includes the
+  /// depth term and, if the problem sets it, a cost of hidden points. Infinite if too few points are visible.
   template <typename Camera>
   double tukey_cost(const AlignProblem<Camera>& problem, const AlignState& state, int level, double sigma_intensity) {
     residuals(problem, level, state, sigma_intensity);
@@ -96,7 +96,7 @@ struct DirectAligner {
     const float s2 = static_cast<float>(sq(sigma_intensity)), c = static_cast<float>(settings.tukey);
     int seen = 0;
     for (std::size_t i = 0; i < p.size(); ++i) seen += p.seen(i);
-    // What is not seen has no residual, and that costs nothing.
+    // A point that is not seen has residual zero, which costs nothing.
     double sum = tukey_cost_sum(p.r.data(), p.extra.data(), p.size(), s2, c);
     if (problem.depth.weight > 0)
       sum += static_cast<double>(problem.depth.weight) *
@@ -108,7 +108,7 @@ struct DirectAligner {
     return (sum + problem.unseen_cost * (all - seen)) / all;
   }
 
-  /// Sets `costs` to the Tukey cost of each point on a level, with a given sigma_I; negative where it is not seen.
+  /// Sets `costs` to the Tukey cost of each point on a level, with a given sigma_I. Negative if the point is not seen.
   template <typename Camera>
   void point_costs(const AlignProblem<Camera>& problem, const AlignState& state, int level, double sigma_intensity,
                    std::vector<float>& costs) {
@@ -120,8 +120,8 @@ struct DirectAligner {
     for (std::size_t i = 0; i < p.size(); ++i) costs[i] = p.seen(i) ? costs[i] : -1;
   }
 
-  /// Correlation of the visible points' intensities with those of a level at a pose, in [-1, 1]; -1 where less than
-  /// `min_share` of all are visible.
+  /// Correlation of the visible points' intensities with those of a level at a pose, in [-1, 1]. It is -1 if less than
+  /// `min_share` of all points are visible.
   template <typename Camera>
   double correlation(const AlignProblem<Camera>& problem, const SE3d& T, int level, double min_share) {
     residuals(problem, level, {T}, 1);
@@ -137,7 +137,7 @@ struct DirectAligner {
     return vx > 0 && vy > 0 ? static_cast<double>((xy - x * y / n) / std::sqrt(vx * vy)) : 0;
   }
 
-  /// Robust sigma_I of a level at a pose: the value at which the median normalised residual is that of a normal.
+  /// Robust sigma_I of a level at a pose: the value for which the median normalised residual is that of a normal.
   template <typename Camera>
   double intensity_sigma(const AlignProblem<Camera>& problem, const AlignState& state, int level) {
     excluded_.clear();
@@ -145,7 +145,8 @@ struct DirectAligner {
     return scale_of_residuals();
   }
 
-  /// Gain and offset at a given motion, by a line through the intensities, robustly: for a motion that was not aligned.
+  /// Gain and offset at a given motion, by a robust line fit between the intensities. For a motion that was not
+  /// aligned.
   template <typename Camera>
   AlignState photometry(const AlignProblem<Camera>& problem, const SE3d& T) {
     AlignState state{T};
@@ -164,11 +165,11 @@ struct DirectAligner {
   }
 
  private:
-  static constexpr std::size_t kScalePoints = 1000;         ///< that tell the residual scale, to 4 %
-  static constexpr int kScalePasses = 20;                   ///< mostly two
-  static constexpr double kSettled = 0.005;                 ///< share of a scale by which an iteration may change it
-  static constexpr double kStep = 0.02, kCoarseStep = 0.5;  ///< squared sigmas: smaller ones end level 0, or another
-  static constexpr double kSameScale = 0.02;  ///< share by which two residual scales may differ and be the same
+  static constexpr std::size_t kScalePoints = 1000;         ///< enough for the residual scale, to 4 %
+  static constexpr int kScalePasses = 20;                   ///< limit; mostly two are enough
+  static constexpr double kSettled = 0.005;                 ///< relative change that ends the iteration of the scale
+  static constexpr double kStep = 0.02, kCoarseStep = 0.5;  ///< squared sigmas: smaller steps end level 0, others
+  static constexpr double kSameScale = 0.02;  ///< relative difference up to which two residual scales are the same
   static double sq(double x) { return x * x; }
 
   ResidualNoise residual_noise(double sigma_intensity) const {
@@ -176,7 +177,7 @@ struct DirectAligner {
             static_cast<float>(settings.huber), settings.gradient};
   }
 
-  /// Of the residuals that were computed last.
+  /// Excludes the outliers among the residuals that were computed last.
   void exclude_outliers(const Alignment& a) {
     const PointResiduals& p = residuals_;
     for (std::size_t i = 0; i < p.size(); ++i)
@@ -191,8 +192,9 @@ struct DirectAligner {
                         problem.depth_at(level), residuals_);
   }
 
-  /// Robust sigma_I of the residuals that count, by fixed point: the median of squares is the square of the median.
-  /// @param sigma to start from; 0: what it would be without any other noise.
+  /// Robust sigma_I of the residuals that are not excluded, by fixed-point iteration. The median of squares is the
+  /// square of the median.
+  /// @param sigma start; 0: start from the value without any other noise.
   double scale_of_residuals(double sigma = 0) {
     const PointResiduals& p = residuals_;
     squares_.resize(p.size());
@@ -231,7 +233,8 @@ struct DirectAligner {
     for (const int k : {0, 3}) g.segment<3>(k) = (R.transpose() * g.segment<3>(k)).eval();
   }
 
-  /// Gauss-Newton on one level, on level 0 again where the first round changed the residual scale or did not converge.
+  /// Gauss-Newton on one level. On level 0 it is repeated if the first round changed the residual scale or did not
+  /// converge.
   template <typename Camera>
   void refine(const AlignProblem<Camera>& problem, int level, Alignment& a, bool want_covariance, bool near = false);
 

@@ -21,15 +21,15 @@ struct Alignment {
   double phi = 0;  ///< Pearson correlation of the inliers
   int inside = 0, seen = 0, occluded = 0, inliers = 0;
   int with_depth = 0, depth_agrees = 0;  ///< seen points with measured depth; those that agree with the prediction
-  double depth_scatter = 0;  ///< robust sigma of measured minus predicted inverse depth, 1/m; 0 where there is none
-  /// Share by which the cost of the next best minimum is higher, where several were compared.
+  double depth_scatter = 0;  ///< robust sigma of measured minus predicted inverse depth, 1/m; 0 if there is no depth
+  /// Share by which the cost of the next best minimum is higher, if several were compared.
   double margin = std::numeric_limits<double>::infinity();
   int iterations = 0;
   bool converged = false;
 };
 
-/// Whether the covariance of the motion is one: finite and positive definite. Of a few points that say next to nothing
-/// rounding makes others.
+/// Whether the covariance of the motion is valid: finite and positive definite. Rounding errors can make it invalid if
+/// a few points constrain the motion weakly.
 DOT_INLINE bool has_covariance(const Alignment& a);
 
 DOT_END_NAMESPACE

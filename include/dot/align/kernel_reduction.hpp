@@ -15,8 +15,8 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// The reduction over the kernels of kernel/photometric.hpp where the camera is a pinhole; any other camera goes the
-/// way of SerialReduction. The two agree to float rounding.
+/// The reduction by the kernels of kernel/photometric.hpp for a pinhole camera. For any other camera it uses
+/// SerialReduction. The two agree up to float rounding.
 struct KernelReduction {
   const kernel::Kernels* kernels = &portable_kernels();  ///< never null
 
@@ -59,7 +59,7 @@ struct KernelReduction {
     }
   }
 
-  /// The arguments of the kernels. The result borrows all of it, and `measured`.
+  /// The arguments of the kernels. The result borrows all arguments, including `measured`.
   static kernel::Input input(const PointSet& points, int level, const Pinhole& camera, const Image<std::uint8_t>& image,
                              const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
                              const std::uint8_t* excluded, kernel::Depth& measured) {
@@ -104,8 +104,8 @@ struct KernelReduction {
 };
 
 #if defined(DOT_COMPILED_KERNELS)
-/// KernelReduction with the kernels that suit the machine it runs on. A type of its own, so that a unit built with the
-/// compiled tier and one built without may meet in one program.
+/// KernelReduction with the best kernels for the machine that it runs on. It is a separate type, so that translation
+/// units built with and without the compiled library can be linked into one program.
 struct DispatchedReduction : KernelReduction {
   DispatchedReduction() : KernelReduction{find_kernels()} {}
 };

@@ -15,7 +15,8 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Keeps the `count` cheapest of pairs of a cost and something, those before `begin` besides, in the order of cost.
+/// Keeps the `count` cheapest of the pairs (cost, value) from index `begin` on, sorted by cost. Those before `begin`
+/// are kept, too.
 template <typename Pairs>
 void keep_cheapest(Pairs& pairs, std::size_t count, std::size_t begin = 0) {
   const auto from = pairs.begin() + static_cast<std::ptrdiff_t>(begin);
@@ -36,18 +37,18 @@ void find_minima(int n, Cost&& cost, Found&& found) {
   }
 }
 
-/// Local minima found from several starts: those that lead to the same one, within `kSamePixels`, are one.
+/// Local minima found from several starts. Minima within `kSamePixels` of each other count as one.
 struct Minima {
   static constexpr double kSamePixels = 0.1;
   std::vector<Alignment> found;
 
-  /// Drops those for which `condition` holds, unless it holds for all.
+  /// Drops the minima for which `condition` holds, unless it holds for all.
   template <typename Condition>
   void drop_if(Condition&& condition) {
     if (!std::all_of(found.begin(), found.end(), condition))
       found.erase(std::remove_if(found.begin(), found.end(), condition), found.end());
   }
-  /// @return whether it was a new one.
+  /// @return whether it was a new minimum.
   template <typename Camera>
   bool add(const AlignProblem<Camera>& problem, const Alignment& a) {
     for (const Alignment& other : found)
@@ -57,16 +58,16 @@ struct Minima {
   }
 };
 
-/// Buffers of the estimators that look for such minima.
+/// Buffers of the estimators that search for such minima.
 struct MinimaWorkspace {
   Minima minima;
-  std::vector<AlignState> starts, near;                     ///< those `near` a minimum: for fine levels only
+  std::vector<AlignState> starts, near;                     ///< `near`: close to a minimum, for fine levels only
   std::vector<std::pair<double, AlignState>> tried, turns;  ///< with their costs
   PointCosts costs;
   std::vector<std::pair<double, std::size_t>> ranked;  ///< costs of the minima
   std::vector<Alignment> kept;
   std::vector<float> depths;
-  PointSet few;      ///< of the points, to rank many places
+  PointSet few;      ///< a part of the points, to rank many places
   PointSet distant;  ///< points at infinity
 };
 

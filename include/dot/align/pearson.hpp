@@ -12,7 +12,7 @@ DOT_BEGIN_NAMESPACE
 struct Pearson {
   double n = 0, mean_x = 0, mean_y = 0, xx = 0, xy = 0, yy = 0;
 
-  /// Adds a pair (Welford's update: no cancellation).
+  /// Adds a pair (Welford's update, which avoids cancellation).
   void add(double x, double y) {
     n += 1;
     const double dx = x - mean_x, dy = y - mean_y;
@@ -23,7 +23,7 @@ struct Pearson {
     xy += dx * (y - mean_y);
   }
 
-  /// In [-1, 1]; 0 where one of the two does not vary.
+  /// In [-1, 1]; 0 if one of the two is constant.
   double correlation() const { return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : 0; }
 
   /// Slope of the least-squares line y = slope x + intercept.

@@ -17,7 +17,7 @@ struct PhotometricFactor {
   Scalar extra;           ///< variance of r besides sigma_I^2: (dr/dq sigma_q)^2 + (gradient_noise |grad I|)^2
 };
 
-/// Of points that move and change their brightness as `state` says.
+/// Computes the factors of points with the motion and the change of brightness of `state`.
 template <typename Scalar>
 class PhotometricModel {
  public:
@@ -27,7 +27,7 @@ class PhotometricModel {
         offset_(static_cast<Scalar>(state.offset)),
         gradient_variance_(static_cast<Scalar>(gradient_noise) * static_cast<Scalar>(gradient_noise)) {}
 
-  /// @param s the new image at p', with the gradient to be used. @param J_pi of the projection at the moved point.
+  /// @param s the new image at p', with the gradient to use. @param J_pi of the projection at the moved point.
   /// @param reference I_j(p). @param sigma_q of the point's inverse depth, 1/m.
   PhotometricFactor<Scalar> operator()(const Sample& s, const Eigen::Matrix<float, 2, 3>& J_pi, Scalar reference,
                                        Scalar sigma_q) const {

@@ -12,9 +12,9 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// What places cost point by point, to compare two of them by what both see. By the mean of what each sees, one that
-/// keeps in sight what is easy would win for that alone: near asphalt, which leaves the image when the camera goes
-/// ahead.
+/// Costs of places (poses), point by point. Two places are compared by the points that both see. If the means over the
+/// points that each sees were compared, a place could be better only because it keeps points with small residuals in
+/// view. Such points are on near asphalt, which leaves the image when the camera moves ahead.
 class PointCosts {
  public:
   void clear() {
@@ -31,15 +31,16 @@ class PointCosts {
     open_.push_back(place);
   }
 
-  /// Cost of a place over that of another: of what both see, or, where that is too little, of what each sees.
+  /// Cost of a place over that of another: of the points that both see or, if these are too few, of those that each
+  /// sees.
   double ratio(std::size_t place, std::size_t other) const {
     const Sum shared = sum(place, other);
     if (shared.count >= kShared) return shared.cost / sum(other, place).cost;
     return sum(place, place).mean() / sum(other, other).mean();
   }
 
-  /// The place that no other beats by this share of the cost, as far as there is one; an earlier one of equals. Of
-  /// those not removed, at least one.
+  /// The place, of those not removed, that no other place beats by this share of the cost, if there is one. Earlier
+  /// places are preferred. @pre At least one place is not removed.
   std::size_t best(double share) const {
     std::size_t chosen = open_.front();
     for (int pass = 0; pass < 2; ++pass)
@@ -51,7 +52,7 @@ class PointCosts {
   void remove(std::size_t place) { open_.erase(std::find(open_.begin(), open_.end(), place)); }
 
  private:
-  static constexpr int kShared = 100;  ///< points, of which a mean cost tells
+  static constexpr int kShared = 100;  ///< points that are enough for a comparison
 
   struct Sum {
     int count = 0;
@@ -59,7 +60,7 @@ class PointCosts {
     double mean() const { return count ? static_cast<double>(cost) / count : std::numeric_limits<double>::infinity(); }
   };
 
-  /// Of a place's costs, over the points that another sees too.
+  /// Sum of a place's costs over the points that the other place sees, too.
   Sum sum(std::size_t place, std::size_t other) const {
     using Lanes = PortableLanes;
     constexpr std::size_t W = Lanes::W;
@@ -80,8 +81,8 @@ class PointCosts {
     return sum;
   }
 
-  std::vector<std::vector<float>> costs_;  ///< of each place and point, negative where it is not seen
-  std::size_t count_ = 0;                  ///< of places; those beyond are memory for more
+  std::vector<std::vector<float>> costs_;  ///< of each place and point, negative if it is not seen
+  std::size_t count_ = 0;                  ///< of places; further elements only keep their memory
   std::vector<std::size_t> open_;          ///< places that were not removed
 };
 

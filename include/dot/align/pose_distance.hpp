@@ -11,9 +11,9 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// RMS distance in pixels between the places in the image under two poses T_i_j of the points that are in it under at
-/// least one. Of many points some 40 tell. Infinite where such a point is behind the camera under the other pose, or
-/// where there is none.
+/// RMS distance in pixels between the projections of the points under two poses T_i_j. Only points inside the image
+/// under at least one pose count, and about 40 of them are enough. Infinite if such a point is behind the camera under
+/// the other pose, or if there is no such point.
 template <typename Camera>
 double pose_distance(const PointSet& points, const Camera& camera, const SE3d& a, const SE3d& b) {
   const std::size_t n = points.u.size(), step = std::max<std::size_t>(1, n / 40);

@@ -10,7 +10,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// What to align: points of a reference to an image, T_i_j = T_outer T_o.
+/// An alignment problem: points of a reference are aligned to an image, T_i_j = T_outer T_o.
 ///
 /// The unknown x moves T_o by a left twist about the region's centroid c, T_o <- Tr(c') exp(x) Tr(-c') T_o with
 /// c' = T_o c (an object: its rotation error does not leak into metres of translation), or about the camera's origin
@@ -26,10 +26,10 @@ struct AlignProblem {
   Vector3<double> centroid = Vector3<double>::Zero();  ///< c, camera axes of the reference
   Matrix6<double> prior = Matrix6<double>::Zero();     ///< information of [T_o c - c; log R_o] about zero
   AlignState photometry{};                             ///< expected gain and offset
-  double gain_information = 0;                         ///< of the gain about that
-  double offset_information = 0;                       ///< of the offset about that
-  double unseen_cost = 0;  ///< what a hidden point, or one that left the image, counts when minima are ranked
-  const DepthPyramid* depth_pyramid = nullptr;  ///< of the new frame; null: depth.inverse_depth serves at all levels
+  double gain_information = 0;                         ///< of the gain about the expected one
+  double offset_information = 0;                       ///< of the offset about the expected one
+  double unseen_cost = 0;  ///< cost of a hidden point, or one that left the image, for ranking minima
+  const DepthPyramid* depth_pyramid = nullptr;  ///< of the new frame; null: depth.inverse_depth is used at all levels
 
   /// The depth term at a pyramid level.
   DepthTerm depth_at(int level) const {
@@ -39,7 +39,8 @@ struct AlignProblem {
     return term;
   }
 
-  /// Cost of gain and offset being unexpected; keeps a flat region from explaining everything by no contrast at all.
+  /// Cost of deviations from the expected gain and offset. Without it a flat region could fit everything by a gain of
+  /// zero.
   double photometric_cost(const AlignState& s) const {
     const double a = s.gain - photometry.gain, b = s.offset - photometry.offset;
     return 0.5 * (gain_information * a * a + offset_information * b * b);

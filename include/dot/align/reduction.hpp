@@ -18,27 +18,27 @@
 /// Residual (paper eq. 3 and 5, made invariant to exposure): r = I_i(p') - a I_j(p) - b, with p' = Pi(T X), X the point
 /// of reference j in camera axes and T = T_i_j. In inverse depth, X~ = q T X = R (x, y, 1) + q t.
 /// Derivatives are taken for a left twist of T about a point c, T <- Tr(c) exp(xi) Tr(-c) T, with c and
-/// xi = [translation; rotation] in the axes of camera i: dX~/dxi = [q I, -[X~ - q c]x]. About the middle of a far
-/// object the sums are well conditioned; about the camera its translation and rotation are nearly the same.
+/// xi = [translation; rotation] in the axes of camera i: dX~/dxi = [q I, -[X~ - q c]x]. If c is the middle of a
+/// far object, the sums are well conditioned. If c is the camera, its translation and rotation look nearly alike.
 
 DOT_BEGIN_NAMESPACE
 
 using Vector8 = Eigen::Matrix<double, 8, 1>;
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
-/// What the measured depth of the new frame says of a point (objects only).
+/// The term of the measured depth of the new frame (objects only).
 struct DepthTerm {
   ImageView<const float> inverse_depth;     ///< of the new frame, 0 = none; empty = term not used
   ImageView<const std::uint8_t> occluders;  ///< non-zero: a nearer object covers the pixel; may be empty
-  float occlusion_relative = 0.15f;         ///< a measured surface nearer by this share hides the point ...
-  float occlusion_sigmas = 6;               ///< ... if it also exceeds this many sigma
+  float occlusion_relative = 0.15f;         ///< a measured surface nearer by this share hides the point,
+  float occlusion_sigmas = 6;               ///< if the difference also exceeds this many sigma
   int level = 0;                            ///< pyramid level of inverse_depth; `occluders` is of level 0
   float sigma = 0;                          ///< of the difference measured - predicted, 1/m
   float agreement = 0;                      ///< difference within which the two agree, 1/m
   float weight = 0;                         ///< of one point's depth residual
 };
 
-/// Noise model of a reduction, and whose gradients it takes: s^2 = sigma_I^2 + (dr/dq sigma_q)^2 + (gradient_noise
+/// Noise model of a reduction, and the source of its gradients: s^2 = sigma_I^2 + (dr/dq sigma_q)^2 + (gradient_noise
 /// |grad I|)^2.
 struct ResidualNoise {
   float sigma_intensity = 5;  ///< grey values
@@ -47,7 +47,7 @@ struct ResidualNoise {
   GradientSource gradient = GradientSource::Image;
 };
 
-/// Residuals at a pose, structure of arrays of one value a point; zero where the point is not seen.
+/// Residuals at a pose: structure of arrays with one value per point, zero if the point is not seen.
 struct PointResiduals {
   std::vector<float> r;                  ///< grey values
   std::vector<float> extra;              ///< variance besides sigma_I^2
@@ -79,8 +79,8 @@ struct NormalEquations {
   std::array<Vector8, 4> modes{Vector8::Zero(), Vector8::Zero(), Vector8::Zero(), Vector8::Zero()};
 };
 
-/// The readable reference: one point after the other, any camera. A faster one (align/kernel_reduction.hpp) has the
-/// same two functions.
+/// The readable reference implementation: one point after the other, for any camera. A faster one
+/// (align/kernel_reduction.hpp) has the same two functions.
 struct SerialReduction {
   /// Residuals at `state`, without derivatives.
   template <typename Camera>
@@ -91,7 +91,8 @@ struct SerialReduction {
     run(points, level, camera, image, state, noise, depth, nullptr, Vector3<double>::Zero(), &out, nullptr);
   }
 
-  /// Normal equations at `state`. `excluded[i]` non-zero leaves a point out; may be null. `centre` is c, metres.
+  /// Normal equations at `state`. A non-zero `excluded[i]` leaves a point out; `excluded` may be null. `centre` is c,
+  /// metres.
   template <typename Camera>
   static NormalEquations linearize(const PointSet& points, int level, const Camera& camera,
                                    const Image<std::uint8_t>& image, const AlignState& state,

@@ -27,8 +27,8 @@ inline float huber_cost(float e, float c) {
   return a <= c ? 0.5f * a * a : c * (a - 0.5f * c);
 }
 
-/// Tukey's biweight cost, c^2/6 (1 - (1 - (e/c)^2)^3), constant beyond c: what is far off weighs no more than what is
-/// off, so a minority that agrees perfectly cannot outvote a majority (Beaton and Tukey 1974).
+/// Tukey's biweight cost, c^2/6 (1 - (1 - (e/c)^2)^3), constant beyond c. Large outliers cost no more than other
+/// outliers, so a minority that agrees perfectly cannot outweigh a majority (Beaton and Tukey 1974).
 inline float tukey_cost(float e, float c) {
   const float s = e / c;
   if (std::abs(s) >= 1) return c * c / 6;
@@ -46,7 +46,7 @@ typename Lanes::F tukey_inside(typename Lanes::F e, typename Lanes::F v, typenam
 inline double tukey_cost_sum(const float* r, const float* extra, std::size_t n, float s2, float c) {
   using Lanes = PortableLanes;
   using F = Lanes::F;
-  constexpr std::size_t W = Lanes::W, kFloatSums = 64;  // terms of each lane that are added up in float
+  constexpr std::size_t W = Lanes::W, kFloatSums = 64;  // terms of each lane that are summed in float
   const F zero = Lanes::set(0), sigma2 = Lanes::set(s2), to_c = Lanes::set(1 / (c * c));
   double kept = 0;  // of 1 - cost / (c^2 / 6)
   std::size_t i = 0;
@@ -78,10 +78,11 @@ inline void tukey_costs(const float* r, const float* extra, std::size_t n, float
   for (; i < n; ++i) costs[i] = tukey_cost(r[i] / std::sqrt(s2 + extra[i]), c);
 }
 
-/// The middle one of values >= 0, the upper one of two; 0 of none. `values` is reordered or shortened.
+/// The median of values >= 0, the upper of the two middle ones; 0 if there are none. `values` is reordered or
+/// shortened.
 ///
-/// The bits of such floats are in the order of their values. Counting the values by their leading bits (eight bins an
-/// octave) leaves the few of one bin to be ordered.
+/// The bits of such floats are in the order of their values. The values are counted by their leading bits (eight bins
+/// an octave), so that only the few values of one bin must be sorted.
 inline float median_of_magnitudes(Buffer<float>& values) {
   if (values.empty()) return 0;
   std::size_t rank = values.size() / 2;

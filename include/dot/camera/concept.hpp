@@ -10,9 +10,9 @@
 #include "dot/lie/so3.hpp"
 
 /// @file
-/// What a camera model must offer to be used as a policy. For S = float and double, on a const camera:
+/// The members that a camera model needs to be used as a policy. For S = float and double, on a const camera:
 ///
-///     // Pixel of X (metres, camera axes, X.z > 0); into J, where given, its derivative by X, pixels per metre.
+///     // Pixel of X (metres, camera axes, X.z > 0). J, if given, gets its derivative by X, pixels per metre.
 ///     template <typename S>
 ///     Vector2<S> project(const Vector3<S>& X, Eigen::Matrix<S, 2, 3>* J = nullptr) const;
 ///
@@ -73,12 +73,12 @@ inline constexpr bool has_size_v<Camera, std::void_t<decltype(std::declval<const
 
 }  // namespace camera_concept
 
-/// Whether `Camera` offers all that is listed above. Use: `static_assert(is_camera_v<Camera>, DOT_CAMERA_MESSAGE)`.
+/// Whether `Camera` has all members listed above. Use: `static_assert(is_camera_v<Camera>, DOT_CAMERA_MESSAGE)`.
 template <typename Camera>
 inline constexpr bool is_camera_v = camera_concept::maps_pixels_v<Camera, float>&&
     camera_concept::maps_pixels_v<Camera, double>&& camera_concept::has_size_v<Camera>;
 
 DOT_END_NAMESPACE
 
-/// What the compiler says of a camera that lacks something.
+/// The compiler's message for a camera that lacks a member.
 #define DOT_CAMERA_MESSAGE "Camera must satisfy dot/camera/concept.hpp"

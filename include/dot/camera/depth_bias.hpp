@@ -10,8 +10,8 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Error of the measured *inverse depth* that depends on the place in the image alone, as that of a stereo pair whose
-/// calibration is a little off (an error of the disparity d is one of q = d / (f b)): a polynomial
+/// Error of the measured *inverse depth* that depends only on the place in the image, such as that of a stereo pair
+/// with a slightly wrong calibration (an error of the disparity d is one of q = d / (f b)). It is a polynomial
 ///
 ///     b(s, t) = c0 + c1 s + c2 s^2 + c3 s^3 + c4 s^4 + (c5 + c6 s) t,   s = 2u/width - 1, t = 2v/height - 1.
 struct DepthBias {
@@ -28,7 +28,7 @@ struct DepthBias {
     phi << 1, s, s * s, s * s * s, s * s * s * s, t, s * t;
     return phi;
   }
-  /// Root of its mean square over the image, 1/m.
+  /// Root mean square over the image, 1/m.
   double rms() const {
     constexpr int n = 16;
     double sum = 0;
@@ -39,7 +39,7 @@ struct DepthBias {
       }
     return std::sqrt(sum) / n;
   }
-  /// 1/m, at (s, t).
+  /// The bias at (s, t), 1/m.
   double operator()(double s, double t) const { return coefficients.dot(terms(s, t)); }
 };
 

@@ -14,18 +14,18 @@
 DOT_BEGIN_NAMESPACE
 
 /// @file
-/// Depth noise, a policy of the pipeline. Any struct serves that offers, const and for an inverse depth q in 1/m, these
-/// standard deviations in 1/m:
+/// Depth noise, a policy of the pipeline. It is any struct with the following const members. Each returns a standard
+/// deviation in 1/m for an inverse depth q in 1/m:
 ///
 ///     double pixel_sigma(double q);          // of one pixel
 ///     double shared_sigma(double q);         // of the error that an object's pixels share
-///     double shared_drift_sigma(double q);   // of that error's change from one frame of a fit to the other
+///     double shared_drift_sigma(double q);   // of that error's change between the two frames of a fit
 ///     double prior_pixel_sigma(double q);    // of one pixel, before anything was learnt
 ///     double prior_shared_sigma(double q);   // shared, before anything was learnt
 
 /// Noise of the depth as standard deviation of *inverse depth* q at a point. An error has a part of each pixel and a
-/// part that all pixels of an object share, which no number of pixels averages out. The settings are priors; the
-/// pipeline scales them with what the background shows (camera_motion/depth_learning.hpp).
+/// part that all pixels of an object share. The mean over many pixels does not reduce the shared part. The settings are
+/// priors. The pipeline scales them by the noise that it learns from the background (camera_motion/depth_learning.hpp).
 struct DepthNoise {
   DepthNoiseSettings settings;
   double focal_baseline = 0;      ///< f b, pixel metres
@@ -43,7 +43,7 @@ struct DepthNoise {
   double pixel_sigma(double q) const { return pixel_scale * prior_pixel_sigma(q); }
   /// Standard deviation of the error that an object's pixels share, 1/m.
   double shared_sigma(double q) const { return shared_scale * prior_shared_sigma(q); }
-  /// Standard deviation of that error's change from one frame of a fit to the other, 1/m.
+  /// Standard deviation of that error's change between the two frames of a fit, 1/m.
   double shared_drift_sigma(double q) const { return shared_drift_scale * prior_shared_sigma(q); }
 
   double prior_pixel_sigma(double q) const {

@@ -12,7 +12,7 @@ struct Intrinsics {
   double cy = 0;        ///< pixels
   int width = 0;        ///< pixels
   int height = 0;       ///< pixels
-  double baseline = 0;  ///< metres; 0 when the depth does not come from stereo
+  double baseline = 0;  ///< metres; 0 if the depth does not come from stereo
 };
 
 }  // namespace dot

@@ -10,13 +10,13 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Checks intrinsics that come from outside.
+/// Checks intrinsics given by the user.
 /// @throws std::invalid_argument naming the first field that is out of range.
 inline void validate(const Intrinsics& camera) {
   const auto require = [](bool valid, const char* message) {
     if (!valid) throw std::invalid_argument(message);
   };
-  // Beyond these no lens is, and products of them leave the range of a float.
+  // No lens exceeds these limits, and products of larger values would leave the range of a float.
   require(camera.fx >= 1 && camera.fx <= 1e6, "intrinsics.fx must be 1 to 1e6 pixels");
   require(camera.fy >= 1 && camera.fy <= 1e6, "intrinsics.fy must be 1 to 1e6 pixels");
   require(std::abs(camera.cx) <= 1e6, "intrinsics.cx must be finite, at most 1e6 pixels");
@@ -49,7 +49,7 @@ class Pinhole {
   /// @throws std::invalid_argument naming the field that is out of range.
   explicit Pinhole(const Intrinsics& intrinsics) : intrinsics_(intrinsics) { validate(intrinsics_); }
 
-  /// Pixel of X, Z > 0; its derivative
+  /// Pixel of X, Z > 0. Its derivative is
   ///
   ///     [ fx/Z    0    -fx X/Z^2 ]
   ///     [   0   fy/Z   -fy Y/Z^2 ]

@@ -16,10 +16,10 @@ DOT_BEGIN_NAMESPACE
 ///     x_d = g x + 2 p1 x y + p2 (r2 + 2 x^2),   u = fx x_d + cx
 ///     y_d = g y + p1 (r2 + 2 y^2) + 2 p2 x y,   v = fy y_d + cy
 ///
-/// Domain: the model is one-to-one only around the axis, as far as the determinant of d(x_d, y_d) / d(x, y) stays
-/// positive (without tangential part: while 1 + 3 k1 r2 + 5 k2 r2^2 + 7 k3 r2^3 > 0). Points farther off fold back
-/// into the image, and pixels that no point in the domain reaches have no ray: the results there mean nothing. A
-/// calibration that fits its image covers it.
+/// Domain: the model is one-to-one only around the axis, as far as the determinant of d(x_d, y_d) / d(x, y) is positive
+/// (without tangential part: while 1 + 3 k1 r2 + 5 k2 r2^2 + 7 k3 r2^3 > 0). Points farther away fold back into the
+/// image, and pixels outside the projection of the domain have no ray. The results there are not valid. The domain of a
+/// good calibration covers the whole image.
 class RadTan {
  public:
   /// @param distortion k1, k2, p1, p2, k3: OpenCV's order.
@@ -30,7 +30,7 @@ class RadTan {
       if (!std::isfinite(coefficient)) throw std::invalid_argument("distortion must be finite");
   }
 
-  /// Pixel of X, Z > 0; its derivative is diag(fx, fy) D [1/Z, 0, -x/Z; 0, 1/Z, -y/Z], D that of the distortion.
+  /// Pixel of X, Z > 0. Its derivative is diag(fx, fy) D [1/Z, 0, -x/Z; 0, 1/Z, -y/Z], with that of the distortion, D.
   template <typename S>
   Vector2<S> project(const Vector3<S>& X, Eigen::Matrix<S, 2, 3>* J = nullptr) const {
     const S fx = static_cast<S>(intrinsics().fx);
@@ -47,8 +47,8 @@ class RadTan {
     return {fx * d.x + static_cast<S>(intrinsics().cx), fy * d.y + static_cast<S>(intrinsics().cy)};
   }
 
-  /// The ray through a pixel, z = 1, by Newton's method from the distorted point: from there a purely radial barrel or
-  /// pincushion is approached from one side, without overshooting.
+  /// The ray through a pixel, z = 1, by Newton's method from the distorted point. From this start the iteration for a
+  /// purely radial barrel or pincushion distortion converges from one side, without overshooting.
   template <typename S>
   Vector3<S> unproject(const Vector2<S>& pixel) const {
     constexpr int max_iterations = 20;
@@ -63,7 +63,7 @@ class RadTan {
       const S determinant = d.xx * d.yy - d.xy * d.xy;
       const S dx = (d.yy * ex - d.xy * ey) / determinant;
       const S dy = (d.xx * ey - d.xy * ex) / determinant;
-      // A fold: outside the domain, and no step would be finite.
+      // At a fold, outside the domain, the step is not finite.
       if (!std::isfinite(dx) || !std::isfinite(dy)) break;
       x += dx;
       y += dy;
@@ -78,7 +78,7 @@ class RadTan {
     return pinhole_.contains(p, border);
   }
 
-  /// The camera of a pyramid level: the distortion acts before the intrinsics, so it stays.
+  /// The camera of a pyramid level. The distortion acts before the intrinsics, so it is unchanged.
   /// @throws std::invalid_argument when `level` is negative or the image has no pixel left there.
   RadTan at_level(int level) const {
     RadTan scaled = *this;

@@ -6,16 +6,16 @@
 
 namespace dot {
 
-/// Where the depth comes from; sets the form of its noise (camera/depth_noise.hpp).
+/// The source of the depth. It determines the form of the noise (camera/depth_noise.hpp).
 enum class DepthSource : std::uint8_t { Unknown, Stereo, Rgbd, Lidar };
 
-/// Priors of the depth noise. Their size is estimated online; these start it and bound it.
+/// Priors of the depth noise. The size of the noise is estimated online; these are its start and its bounds.
 struct DepthNoiseSettings {
   DepthSource source = DepthSource::Unknown;
   double stereo_sigma_px = 0.3;   ///< disparity noise of one pixel
   double stereo_shared_px = 0.2;  ///< disparity error that an object's pixels share
-  /// Prior, pixels, of a disparity error that depends on the place in the image alone: of a calibration that is a
-  /// little off. It is learnt from the background and taken from the depth; 0: there is none.
+  /// Prior, pixels, of a disparity error that depends only on the place in the image, due to a slightly wrong
+  /// calibration. The error is learnt from the background and subtracted from the depth. 0: no such error is assumed.
   double stereo_bias_px = 0.3;
   double rgbd_sigma = 0.002;       ///< metres at 1 m; grows with the square of the depth
   double rgbd_shared = 0.001;      ///< metres at 1 m, shared by an object's pixels

@@ -10,12 +10,12 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// The points that the camera's motion is measured by: of the newest frame, or of the last one that had enough.
+/// The points by which the camera's motion is measured. They are of the newest frame that had enough points.
 struct Background {
   PointSet points;
   SE3d T_now_points;     ///< camera motion from their frame to the newest one
   double seconds = 0;    ///< from their frame to the newest one
-  bool guessed = false;  ///< T_now_points is a guess for a part of the way, whose covariance is
+  bool guessed = false;  ///< T_now_points contains guessed steps, see guess_covariance
   Matrix6<double> guess_covariance = Matrix6<double>::Zero();
 
   void forget() noexcept {
@@ -26,7 +26,7 @@ struct Background {
     guess_covariance.setZero();
   }
 
-  /// The frame that `step` leads to has points of its own. @param fresh is left with the old ones, for their memory.
+  /// Takes the points of the newest frame. @param fresh gets the old points, so that their memory is reused.
   void replace(PointSet& fresh, const DepthBias& bias) {
     std::swap(points, fresh);
     points.bias = bias;
@@ -36,7 +36,7 @@ struct Background {
     guess_covariance.setZero();
   }
 
-  /// It has too few: the present points are to serve for the next frame, too.
+  /// Keeps the present points for the next frame, because the newest frame has too few.
   void carry(const CameraStep& step);
 };
 

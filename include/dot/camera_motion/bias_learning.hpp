@@ -12,31 +12,31 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Learns the bias of the depth from the background, which stands still: where its depth is wrong, the camera's motion
-/// moves it by more or by less than predicted.
+/// Learns the bias of the depth from the static background. Where its depth is wrong, the camera's motion shifts it in
+/// the image by more or by less than predicted.
 ///
-/// With the residual r and the derivatives J by [x; a; b] of eq. 3, and dr/dq by the inverse depth, a frame's points
-/// say of the pose and of what is left of the bias, delta, with its terms phi,
+/// With the residual r, its derivatives J by [x; a; b] of eq. 3, and dr/dq by the inverse depth, a frame's points
+/// constrain the pose and the remaining bias, delta, with its terms phi, by
 ///
 ///     r + J [x; a; b] - dr/dq phi' delta = 0
 ///
-/// weighted as by Tukey. The pose, gain and offset are eliminated, so that only what no motion explains counts; the
-/// frames are added up, older ones fading. Without motion dr/dq is zero, and nothing is learnt. A depth sensor that has
-/// no such bias should not get one from noise: the estimate is shrunk by the share that noise alone would make of its
-/// size (positive-part James-Stein estimator), and is zero within the 95 % ellipsoid about zero.
+/// with Tukey weights. Pose, gain and offset are eliminated, so that only residuals that no motion explains count. The
+/// frames are summed with exponential fading. Without motion dr/dq is zero, and nothing is learnt. A depth sensor
+/// without such a bias should not get one from noise. So the estimate is shrunk by the share that noise alone would
+/// have in its size (positive-part James-Stein estimator), and is zero within the 95 % ellipsoid about zero.
 class DepthBiasLearning {
  public:
-  static constexpr double kMemory = 10;     ///< seconds over which frames fade
-  static constexpr double kCorrelated = 9;  ///< points that say what one without correlated errors would
+  static constexpr double kMemory = 10;     ///< seconds, time constant of the fading
+  static constexpr double kCorrelated = 9;  ///< points that count as one with independent error
 
-  double prior = 0;  ///< 1/m, standard deviation of each coefficient; 0: there is no bias, and nothing is learnt
+  double prior = 0;  ///< 1/m, standard deviation of each coefficient; 0: no bias is assumed or learnt
 
   void forget() {
     information_.setZero();
     weighted_.setZero();
   }
 
-  /// The bias to be taken from what is measured.
+  /// The bias to subtract from the measured inverse depth.
   DepthBias bias() const;
 
   /// @param points of the background. @param image level 0. @param a their alignment to it.
@@ -85,11 +85,11 @@ class DepthBiasLearning {
   using Row = Eigen::Matrix<double, kPose + kTerms + 1, 1>;
   static double sq(double x) { return x * x; }
 
-  /// Adds what a frame says of the bias, whatever the pose.
+  /// Adds a frame's information about the bias, with the pose eliminated.
   void add(const Sums& sums, const DepthBias& taken);
 
   Information information_ = Information::Zero();  ///< of the coefficients, of all frames
-  Terms weighted_ = Terms::Zero();                 ///< that, times what each frame said
+  Terms weighted_ = Terms::Zero();                 ///< sum over the frames of information times estimate
 };
 
 DOT_END_NAMESPACE

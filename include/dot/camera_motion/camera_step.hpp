@@ -20,14 +20,14 @@ struct CameraStep {
   bool known() const { return status == CameraStatus::Tracked || status == CameraStatus::FromHost; }
 };
 
-/// The camera's motion since a past frame, `ref`: several steps composed. `now` is the frame that the last one led to.
+/// The camera's motion since a past frame, `ref`, composed of several steps. `now` is the frame after the last step.
 struct CameraSince {
   SE3d T_now_ref;
   Matrix6<double> covariance = Matrix6<double>::Zero();  ///< of its left twist
   double gain = 1, offset = 0;                           ///< I_now = gain I_ref + offset
   int intervals = 0;                                     ///< steps
 
-  /// One step more.
+  /// The motion with one more step.
   CameraSince after(const SE3d& T_cur_prev, const Matrix6<double>& step_covariance, double step_gain,
                     double step_offset) const;
   CameraSince after(const CameraStep& step) const {

@@ -17,45 +17,45 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// What the host knows of the camera's motion over the last interval.
+/// The host's knowledge of the camera's motion over the last interval.
 struct HostMotion {
-  std::optional<CameraMotion> motion;           ///< to be taken instead of an estimate
-  std::optional<std::array<double, 12>> prior;  ///< T_cur_prev, row-major 3x4, where the estimate is to start
+  std::optional<CameraMotion> motion;           ///< replaces the estimate
+  std::optional<std::array<double, 12>> prior;  ///< T_cur_prev, row-major 3x4, start of the estimate
 };
 
-/// The camera's motion from frame to frame, by the background, and what the background tells of the depth: how noisy
-/// and how biased it is. Keeps the background's points, the camera's velocity and what was learnt.
+/// Estimates the camera's motion from frame to frame by the background. Learns the noise and the bias of the depth from
+/// the background. Keeps the background's points, the camera's velocity and the learnt noise and bias.
 template <typename Camera, typename Noise, typename Aligner>
 class CameraTracker {
  public:
   /// The camera's motion from `prev` to `cur` (paper, section 3.3).
-  /// @param prev null: there is none. @param seconds from it to `cur`; 0: too long, or there is none.
+  /// @param prev null if there is none. @param seconds from `prev` to `cur`; 0 if it is too long or `prev` is null.
   CameraStep track(const FramePtr& prev, const FrameData& cur, double seconds, const HostMotion& host,
                    const Camera& camera, const CameraMotionEstimator& estimator, Aligner& aligner,
                    MinimaWorkspace& workspace);
 
-  /// How wrong the depth is, by what the background shows, after `track`. @param noise is scaled by that.
+  /// Learns the noise and bias of the depth from the background. Must be called after `track`. @param noise is scaled.
   void learn_depth(const FrameData& cur, const CameraStep& step, const Camera& camera, const AlignSettings& settings,
                    int min_points, Noise& noise);
 
-  /// Chooses the points by which the next frame's motion will be measured, of what no object covers.
-  /// @param step that led to `cur`. @param labels non-zero where objects are.
-  /// @return whether there are enough of them; otherwise the present points are to serve for the next frame, too.
+  /// Selects the points for measuring the next frame's motion, outside all objects.
+  /// @param step led to `cur`. @param labels non-zero where objects are.
+  /// @return whether there are enough of them. Otherwise the present points are kept for the next frame.
   bool take_background(const FrameData& cur, const CameraStep& step, const Image<std::uint8_t>& labels,
                        const Selector<Camera, Noise>& select, int min_points);
 
   /// The bias to be subtracted from the next frame's depth.
   DepthBias depth_bias() const { return bias_learning_.bias(); }
 
-  /// Whether the motion of the frames since the background was seen was measured, in all of them.
+  /// Whether the motion was measured in every frame since the one of the background's points.
   bool is_sure() const { return !background_.guessed; }
 
-  /// Forgets the frames, keeps what was learnt.
+  /// Forgets the frames, but keeps the learnt noise and bias.
   void forget_frames() noexcept {
     background_.forget();
     depth_learning_.clear();
   }
-  /// Forgets all.
+  /// Forgets everything.
   void forget() noexcept {
     background_.forget();
     depth_learning_.forget();
@@ -75,13 +75,13 @@ class CameraTracker {
 
   Background background_;
   Vector6<double> velocity_ = Vector6<double>::Zero();  ///< twist per second
-  bool velocity_known_ = false;                         ///< of the last interval
+  bool velocity_known_ = false;                         ///< whether it is of the last interval
   DepthLearning depth_learning_;
   DepthBiasLearning bias_learning_;
 
   PointSet fresh_;
   Image<std::uint8_t> mask_;       ///< 255: background, some pixels away from any object
-  Image<std::uint8_t> mask_rows_;  ///< scratch of the erosion that makes it
+  Image<std::uint8_t> mask_rows_;  ///< scratch of its erosion
   std::vector<SE3d> starts_;
 };
 

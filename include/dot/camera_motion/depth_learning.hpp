@@ -18,37 +18,38 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Learns the size of the depth noise from the background, which stands still.
+/// Learns the size of the depth noise from the static background.
 ///
-/// Patches of about the size of a car are cut from the background of each frame. Seen again, a patch's inverse depth
-/// differs from what the camera motion predicts: the median difference of a patch is an error that its pixels share,
-/// the scatter about it that of single pixels. Over the patches the shared errors have heavier tails than a normal, so
-/// their sigma is that of the 85 % quantile; smoothed over time, they scale the priors of DepthNoise: against the
-/// previous frame `change`, against one about 0.4 s back `common`. A standing camera sees the same errors again and
-/// learns nothing: the image must have moved by kMinMotion pixels.
+/// Patches of about the size of a car are cut from the background of each frame. In a later frame a patch's inverse
+/// depth differs from the prediction by the camera motion. The median difference of a patch is an error that its pixels
+/// share, the scatter about the median is the error of single pixels. Over the patches the shared errors have heavier
+/// tails than a normal distribution, so their sigma is taken from the 85 % quantile. Smoothed over time, the errors
+/// scale the priors of DepthNoise: `change` against the previous frame, `common` against one about 0.4 s back. A
+/// standing camera sees the same errors again. So the image must have moved by kMinMotion pixels.
 struct DepthLearning {
   static constexpr int kWidth = 40, kHeight = 30, kStep = 4;  ///< pixels: patch and sampling
   static constexpr int kMinSamples = 40;                      ///< of the 80 of a patch
-  static constexpr int kPatches = 180;                        ///< of a frame that are enough
+  static constexpr int kPatches = 180;                        ///< enough patches of a frame
   static constexpr double kMinMotion = 1.5;                   ///< pixels, median over the samples
-  static constexpr double kSharedQuantile = 0.85;    ///< of the patches' errors: tails are heavier than a normal's
-  static constexpr float kSigmasOfQuantile = 1.44f;  ///< of a normal's magnitude at that quantile
-  static constexpr std::size_t kMinPatches = 5;      ///< of a comparison
-  static constexpr double kOtherSurface = 7;         ///< sigmas of one pixel by which another surface differs
-  static constexpr double kRelief = 0.3;             ///< share of its distance that one surface may span
+  static constexpr double kSharedQuantile = 0.85;             ///< of the patches' errors, whose tails are heavy
+  static constexpr float kSigmasOfQuantile = 1.44f;           ///< |x| / sigma of a normal at that quantile
+  static constexpr std::size_t kMinPatches = 5;               ///< of a comparison
+  static constexpr double kOtherSurface = 7;  ///< sigmas of one pixel; a larger difference is another surface
+  static constexpr double kRelief = 0.3;      ///< largest depth range of one surface, share of its distance
   static constexpr double kLeastPixelScale = 0.2, kMostPixelScale = 2;
 
   /// Sampled patches of a frame.
   struct Patches {
     std::vector<float> x, y, q;           ///< ray and inverse depth of each sample
     std::vector<int> begin;               ///< first sample of each patch, and the end
-    std::vector<DepthBias::Terms> place;  ///< of each patch's middle
-    DepthBias bias;                       ///< that was taken from q
+    std::vector<DepthBias::Terms> place;  ///< bias terms at each patch's middle
+    DepthBias bias;                       ///< that was subtracted from q
     double timestamp = 0;
     SE3d T_cur_ref;
   };
 
-  /// One scale, from what up to kFrames frames say of it. Their median: where something passes by, a frame is far off.
+  /// One scale: the median of the values of up to kFrames frames. A single frame can be far off when something passes
+  /// by.
   struct Scale {
     static constexpr std::size_t kFrames = 20;
     std::vector<float> said;
@@ -70,7 +71,7 @@ struct DepthLearning {
       std::copy(said.begin(), said.end(), v.begin());
       return static_cast<double>(lower_median(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(said.size())));
     }
-    /// Blended with the prior 1 as if that were one frame, and a quarter for what a median hides.
+    /// Blended with the prior 1, which counts as one frame. Raised by a quarter, because a median hides large values.
     double blended() const {
       if (said.empty()) return 1;
       constexpr double kHiddenByMedian = 1.25;
@@ -83,7 +84,7 @@ struct DepthLearning {
   RecyclingList<Patches> history;  ///< newest first
   Scale change, common, pixel;
 
-  /// Drops what was seen, keeps what was learnt.
+  /// Drops the frames, but keeps the learnt scales.
   void clear() noexcept { history.clear(); }
   /// Drops both.
   void forget() noexcept {
@@ -92,8 +93,8 @@ struct DepthLearning {
     first_ = 0;
   }
 
-  /// Cuts the frame's background. `background` is zero where objects are.
-  /// @param bias that was taken from the depth: it may be known better when the frame is compared.
+  /// Cuts patches from the frame's background. `background` is zero where objects are.
+  /// @param bias that was subtracted from the depth. It may be known better when the frame is compared.
   template <typename Camera>
   void remember(const Camera& camera, const Image<float>& inverse_depth, const Image<std::uint8_t>& background,
                 double timestamp, const DepthBias& bias = {}) {
@@ -105,7 +106,7 @@ struct DepthLearning {
     p.T_cur_ref = {};
     const int columns = inverse_depth.width() / kWidth, rows = inverse_depth.height() / kHeight;
     const int every = std::max(1, columns * rows / kPatches);
-    first_ = (first_ + 1) % every;  // others in each frame
+    first_ = (first_ + 1) % every;  // other patches in each frame
     for (int row = 0; row < rows; ++row)
       for (int column = (row + first_) % every; column < columns; column += every) {
         const int x0 = column * kWidth, y0 = row * kHeight;
@@ -131,7 +132,7 @@ struct DepthLearning {
   }
 
   /// Compares the new frame with the newest and the oldest remembered one, and scales `noise`.
-  /// @param bias that was taken from the depth.
+  /// @param bias that was subtracted from the depth.
   template <typename Camera>
   void learn(const Camera& camera, const SE3d& T_cur_prev, const Image<float>& inverse_depth, double timestamp,
              DepthNoise& noise, const DepthBias& bias = {}) {
@@ -165,9 +166,9 @@ struct DepthLearning {
     if (single) single->add(lower_median(scatters_.begin(), scatters_.end()));
   }
 
-  /// What one patch says, if it is seen again and is one surface.
-  /// @param bias of its inverse depths, 1/m, that has become known since. @param scatter whether that of single pixels
-  /// is asked for.
+  /// Adds the errors of one patch, if it is seen again and is one surface.
+  /// @param bias of its inverse depths, 1/m, that has become known since. @param scatter whether to add the scatter of
+  /// single pixels.
   template <typename Camera>
   void compare_patch(const Camera& camera, const Patches& p, std::size_t k, float bias, const Matrix3<float>& R,
                      const Vector3<float>& t, const Image<float>& inverse_depth, const DepthNoise& noise,
@@ -181,7 +182,7 @@ struct DepthLearning {
       const Vector3<float> ray(p.x[i], p.y[i], 1), X = R * ray + q * t;
       if (X.z() < 1e-3f) continue;
       const Vector2<float> position = camera.template project<float>(X);
-      // The nearest pixel; half a pixel beyond the outermost still has one.
+      // The nearest pixel. It exists up to half a pixel beyond the outermost one.
       const float x = position.x() + 0.5f, y = position.y() + 0.5f;
       if (!(x >= 0 && y >= 0 && x < static_cast<float>(inverse_depth.width()) &&
             y < static_cast<float>(inverse_depth.height())))

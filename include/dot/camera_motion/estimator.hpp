@@ -17,32 +17,32 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Camera motion T_c (paper, section 3.3) that traffic does not capture.
+/// Camera motion T_c (paper, section 3.3), robust against traffic and its shadows.
 ///
-/// The contours of cast shadows lie on the road, outside every mask, with correct depth, and move with their cars; near
-/// asphalt has little else. Under Huber's cost the motion that follows them can be the lower minimum. So several
-/// starts are refined, each a candidate, and the one of least *redescending* cost is taken, all judged with the same
-/// residual scale and by the points that both see (PointCosts): coarse to fine from constant velocity and, before that,
-/// from what the host expects; the same on fine levels only; standing still; and shifts of those along the direction
-/// that the points determine least. On fine levels only the points that fit a start refine it: where the truth is,
-/// Huber's cost may have no minimum at all.
+/// The contours of cast shadows lie on the road, outside every mask, and have correct depth, but move with their cars.
+/// Near asphalt has little other texture. Under Huber's cost the motion that follows the shadows can be the lower
+/// minimum. So several starts are refined to candidates, and the candidate of least *redescending* cost is taken. All
+/// are judged with the same residual scale and by the points that both see (PointCosts). The starts are, coarse to
+/// fine, the host's prediction first and then constant velocity; the same on fine levels only; no motion; and shifts of
+/// the minima along the direction that the points determine least. On fine levels only the points that fit a start
+/// refine it, because Huber's cost may have no minimum at the true motion.
 ///
-/// Without a velocity to start from, the lowest minimum found may be one of many: on an even road standing still, or a
-/// dash of its markings further, looks nearly as right as the truth. `accepts` then asks for a better correlation, and
-/// that no other motion explains the image about as well.
+/// Without a known velocity the lowest minimum may be one of many. On an even road, no motion, or a motion further by
+/// the spacing of the road markings, fits nearly as well as the true one. `accepts` then requires a better correlation,
+/// and that no other motion explains the image about as well.
 struct CameraMotionEstimator {
   CameraSettings settings;
 
-  /// @param predicted T_c, the most trusted first, at least one. @param search for others where nothing is known of the
-  /// motion, or null. @return the alignment; `covariance` is that of the left twist of T_c, `margin` that over the next
-  /// best minimum.
+  /// @param predicted T_c, the most trusted first, at least one. @param search for other starts if the motion is
+  /// unknown, or null. @return the alignment; `covariance` is that of the left twist of T_c, `margin` that over the
+  /// next best minimum.
   template <typename Camera, typename Aligner>
   Alignment estimate(const PointSet& points, const Pyramid& image, const Camera& camera,
                      const std::vector<SE3d>& predicted, const CameraSearch* search, Aligner& aligner,
                      MinimaWorkspace& workspace) const {
     const AlignProblem<Camera> problem{points, image, camera};
     const int top = std::min(points.levels, image.size()) - 1, fine = std::min(1, top);
-    // On the fine level but one, minima are told apart; the finest is for those that remain.
+    // Minima are compared on the second finest level. Only the remaining ones are refined on the finest.
     Minima& minima = workspace.minima;
     minima.found.clear();
     const double depth = median_depth(points, workspace.depths);
@@ -73,11 +73,11 @@ struct CameraMotionEstimator {
       for (const AlignState& start : starts) add_few(start, level);
       for (const AlignState& start : workspace.near) {
         add_few(start, level);
-        add_few(start, fine);  // where what a coarse level shows is moving shadows, that leads away
+        add_few(start, fine);  // a coarse level dominated by moving shadows leads away
       }
     }
 
-    // Few points may agree by chance, and better than any others; without contrast or far off, all may agree.
+    // A few points may agree by chance, and then better than others. Without contrast or far off, all may agree.
     const auto far_off = [&](const SE3d& T) {
       return std::none_of(predicted.begin(), predicted.end(),
                           [&](const SE3d& other) { return search->reaches(T * other.inverse()); });
@@ -106,7 +106,7 @@ struct CameraMotionEstimator {
     return best(problem, candidates, aligner, workspace);
   }
 
-  /// Whether to believe what `estimate` found.
+  /// Whether the result of `estimate` is trusted. @param known the motion was predicted.
   bool accepts(const Alignment& a, bool known) const {
     return has_covariance(a) && a.state.T.t.allFinite() && a.seen >= settings.min_points &&
            a.inliers >= settings.min_inliers * a.seen &&
@@ -115,20 +115,20 @@ struct CameraMotionEstimator {
   }
 
  private:
-  static constexpr double kMinGain = 0.2;         ///< of the exposure between two frames
-  static constexpr std::size_t kCompared = 8;     ///< minima whose neighbours are looked at
-  static constexpr int kRanked = 500;             ///< points by which many places are ranked, at least
-  static constexpr int kSearched = 800;           ///< likewise of a search
-  static constexpr int kEnoughRanked = 100;       ///< of these that a minimum must see, or min_points, if fewer
-  static constexpr int kStepsAhead = 16;          ///< of the shifts, to either side: 5 cm on a road
-  static constexpr int kSteps = 6;                ///< where rotation follows
-  static constexpr double kHopeless = 1.5;        ///< times the cost of where a shift begins
-  static constexpr double kAnotherMinimum = 5.0;  ///< pixels between the points' places at this one and at another
+  static constexpr double kMinGain = 0.2;         ///< least ratio of the exposures of two frames
+  static constexpr std::size_t kCompared = 8;     ///< minima whose neighbourhood is searched
+  static constexpr int kRanked = 500;             ///< points for ranking many places, at least
+  static constexpr int kSearched = 800;           ///< the same for a search
+  static constexpr int kEnoughRanked = 100;       ///< of these a minimum must see so many, or min_points if fewer
+  static constexpr int kStepsAhead = 16;          ///< number of shifts to each side; 5 cm each on a road
+  static constexpr int kSteps = 6;                ///< the same along the least determined direction
+  static constexpr double kHopeless = 1.5;        ///< largest cost of a shift, over the cost of its start
+  static constexpr double kAnotherMinimum = 5.0;  ///< pixels between the points at two different minima
 
-  /// Sets the starts to those that may lead to other minima: shifts along the optical axis, on which the near ground
-  /// looks alike in small steps, and along the least determined direction with rotation, gain and offset following as
-  /// the covariance says; the two best of those that fit better than their neighbours. Where the cost only rises, there
-  /// is none.
+  /// Sets the starts to shifts that may lead to other minima. Shifts go along the optical axis, where the near ground
+  /// looks alike at small steps, and along the least determined direction, without and with the rotation, gain and
+  /// offset that the covariance predicts for it. The two best that fit better than their neighbours are taken. There is
+  /// none if the cost only rises.
   template <typename Camera, typename Aligner>
   void shifted(const AlignProblem<Camera>& problem, const Alignment& a, int level, double sigma, double depth,
                Aligner& aligner, MinimaWorkspace& workspace) const {
@@ -170,7 +170,7 @@ struct CameraMotionEstimator {
     return 1 / static_cast<double>(median(q.begin(), q.end()));
   }
 
-  /// Drops minima that are not among the best, of a level.
+  /// Drops minima that are not among the best on a level.
   template <typename Camera, typename Aligner>
   void keep_best(const AlignProblem<Camera>& problem, int level, double sigma, Aligner& aligner,
                  MinimaWorkspace& workspace) const {
@@ -187,7 +187,7 @@ struct CameraMotionEstimator {
     std::swap(kept, found);
   }
 
-  /// A later candidate must win by a margin: equal minima should not alternate.
+  /// The best candidate. A later one must be better by a margin, so that equal minima do not alternate.
   template <typename Camera, typename Aligner>
   Alignment best(const AlignProblem<Camera>& problem, std::vector<Alignment>& candidates, Aligner& aligner,
                  MinimaWorkspace& workspace) const {

@@ -14,17 +14,17 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Starts for a camera motion that nothing predicts. A turn moves the whole image, so it is looked for first, on the
-/// smallest images and as if all that they show were infinitely far; then, turned like that and unturned, shifts along
-/// each axis; then both by turns about the best, since what is near has shifted the image as well.
+/// Finds starts for an unpredicted camera motion. A rotation moves the whole image, so it is searched first, on the
+/// smallest images and with all points assumed to be infinitely far. Then shifts along each axis are tried, with and
+/// without that rotation. Then both are refined alternately about the best, since near points shift the image as well.
 struct CameraSearch {
-  double metres = 0;      ///< that the camera may have moved
-  double radians = 0;     ///< that it may have turned
-  const Pyramid& before;  ///< of the image before
+  double metres = 0;      ///< largest expected translation of the camera
+  double radians = 0;     ///< largest expected rotation of the camera
+  const Pyramid& before;  ///< of the previous image
   SE3d T_before_j;        ///< pose of its camera from the points' frame
 
-  /// Sets workspace.starts, poses T_i_j of the problem at the exposure that the two images suggest, and workspace.near,
-  /// which are some pixels of level 0 from what they lead to.
+  /// Sets workspace.starts, poses T_i_j of the problem with the exposure change between the two images, and
+  /// workspace.near, which are some pixels of level 0 from the minima that they lead to.
   /// @param depth of the points, metres; @param sigma grey values, scale of the residuals on level_of(...).
   template <typename Camera, typename Aligner>
   void find(const AlignProblem<Camera>& problem, double depth, double sigma, Aligner& aligner,
@@ -47,27 +47,27 @@ struct CameraSearch {
     }
   }
 
-  /// Whether a motion, beyond the one expected, is one that the camera may make at all.
+  /// Whether the camera may make such a motion in addition to the expected one.
   bool reaches(const SE3d& T) const {
     return T.t.norm() <= 2 * metres + 0.1 && so3::log(T.R).norm() <= 2 * radians + 0.05;
   }
 
-  /// The level on which shifts are looked for, where their steps are a few pixels.
+  /// The level on which shifts are searched. Their steps are a few pixels there.
   static int level_of(int levels) { return std::min(2, levels - 1); }
 
  private:
   using Places = std::vector<std::pair<double, AlignState>>;  ///< with their costs
 
   static constexpr int kDistantPoints = 700;   ///< of the smallest image, roughly
-  static constexpr std::size_t kAligned = 10;  ///< turns of the grid that are refined
-  static constexpr std::size_t kTurns = 4;     ///< of them that are kept
-  static constexpr std::size_t kShifts = 6;    ///< that are kept for each turn
-  static constexpr int kSteps = 24;            ///< of the shifts, to either side
-  static constexpr double kAnotherTurn = 4;    ///< pixels of level 0 between two that differ
-  static constexpr double kInCommon = 0.5;     ///< share of the past image that is to be in the new one
+  static constexpr std::size_t kAligned = 10;  ///< rotations of the grid that are refined
+  static constexpr std::size_t kTurns = 4;     ///< rotations that are kept
+  static constexpr std::size_t kShifts = 6;    ///< shifts that are kept for each rotation
+  static constexpr int kSteps = 24;            ///< number of shifts to each side
+  static constexpr double kAnotherTurn = 4;    ///< pixels of level 0 between two different rotations
+  static constexpr double kInCommon = 0.5;     ///< least share of the past image inside the new one
 
-  /// Gain and offset that give one image the mean and the standard deviation of another. What has entered or left the
-  /// view disturbs them less than an automatic exposure does.
+  /// Gain and offset that give one image the mean and the standard deviation of another. An automatic exposure changes
+  /// both more than objects that enter or leave the view.
   static AlignState exposure_between(const Image<std::uint8_t>& from, const Image<std::uint8_t>& to) {
     const auto moments = [](const Image<std::uint8_t>& image) {
       double sum = 0, squares = 0;
@@ -83,7 +83,8 @@ struct CameraSearch {
     return {SE3d{}, gain, mean_to - gain * mean_from};
   }
 
-  /// Sets workspace.turns to those under which the past image correlates best with the new one, and to none at all.
+  /// Sets workspace.turns to the rotations for which the past image correlates best with the new one, and to no
+  /// rotation.
   template <typename Camera, typename Aligner>
   void find_turns(const AlignProblem<Camera>& problem, Aligner& aligner, MinimaWorkspace& workspace) const {
     Places& turns = workspace.turns;
@@ -94,7 +95,7 @@ struct CameraSearch {
     const AlignProblem<Camera> distant{workspace.distant, problem.image, problem.camera};
     const auto cost = [&](const SE3d& T, int l) { return -aligner.correlation(distant, T, l, kInCommon); };
 
-    // Steps of so many pixels of that level that the aligner finds what is between: in its middle, at its sides.
+    // Steps of a few pixels of that level, in the middle and at the sides. The aligner finds the minima between them.
     const double pixels = 1.5 * (1 << level), reach = std::min(radians, 0.2);
     const double side = std::max(pixels / problem.camera.intrinsics().fx, reach / 6);
     const double roll = std::max(pixels / (0.35 * problem.camera.width()), reach / 3);
@@ -118,7 +119,7 @@ struct CameraSearch {
     grid.clear();
   }
 
-  /// Points at infinity all over an image, with their intensities on two levels.
+  /// Takes points at infinity all over an image, with their intensities on two levels.
   template <typename Camera>
   static void take_distant(const Pyramid& image, int level, int finer, const Camera& camera, PointSet& points) {
     points.clear();
@@ -145,12 +146,12 @@ struct CameraSearch {
       }
   }
 
-  /// The same exposure elsewhere.
+  /// The same exposure at another pose.
   static AlignState moved(const AlignState& from, const SE3d& T) { return {T, from.gain, from.offset}; }
   static SE3d turn_by(const Vector3<double>& w) { return {so3::exp(w), Vector3<double>::Zero()}; }
 
-  /// Adds shifts along each axis that fit better than their neighbours. Sideways up to half the depth, which leaves
-  /// little of the image in common; along the optical axis, where what is far stays in sight, twice as far.
+  /// Adds shifts along each axis that fit better than their neighbours. Sideways they go up to half the depth, where
+  /// little of the image is still in common. Along the optical axis far points stay visible, so they go twice as far.
   template <typename Camera, typename Aligner>
   void add_shifts(const AlignProblem<Camera>& problem, const AlignState& from, double depth, double sigma,
                   Aligner& aligner, Places& places) const {
@@ -168,8 +169,8 @@ struct CameraSearch {
     }
   }
 
-  /// Moves a place to the best of some that are turned a little more, about one axis, then the other, then of some that
-  /// are shifted.
+  /// Moves a place to the best of several small rotations about one axis, then about the other, then to the best of
+  /// several shifts.
   /// @return whether one was better.
   template <typename Camera, typename Aligner>
   bool improve(const AlignProblem<Camera>& problem, double depth, double sigma, Aligner& aligner,

@@ -7,12 +7,12 @@
 namespace dot {
 
 enum class CameraStatus : std::uint8_t {
-  FirstFrame,      ///< no reference yet, or references dropped: T_cur_prev is the identity and means nothing
+  FirstFrame,      ///< no reference yet, or references dropped: T_cur_prev is the identity without meaning
   Tracked,         ///< estimated from the image
   FromHost,        ///< taken from Frame::camera_motion
   TooLittleDepth,  ///< no earlier frame had enough background points with depth; T_cur_prev is a guess: the host's
                    ///< prior, or constant velocity, with the covariance of a motion of which only the limits are known
-  Lost             ///< the alignment failed; T_cur_prev is a guess likewise
+  Lost             ///< the alignment failed; T_cur_prev is such a guess, too
 };
 
 /// Name of a camera status, lower case with underscores.

@@ -13,8 +13,9 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// A list of some dozens at most that keeps what it drops, for its memory: a new element comes with the contents of a
-/// dropped one, or of a new T, and is to be filled in. Elements stay where they are in memory.
+/// A short list, of some dozens of elements at most, that keeps dropped elements to reuse their memory. A new element
+/// has the contents of a dropped one, or of a new T, and the caller must fill it in. Addresses of elements do not
+/// change.
 template <typename T>
 class RecyclingList {
   using Slots = std::vector<std::unique_ptr<T>>;
@@ -60,7 +61,7 @@ class RecyclingList {
   const_iterator begin() const { return const_iterator(slots_.begin()); }
   const_iterator end() const { return const_iterator(slots_.begin() + length()); }
 
-  /// A new element before the i-th.
+  /// Inserts a new element before the i-th.
   T& insert(std::size_t i) {
     if (size_ == slots_.size()) slots_.push_back(std::make_unique<T>());
     const auto place = slots_.begin() + static_cast<std::ptrdiff_t>(i);

@@ -20,16 +20,16 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Finds what moves in the background: regions that contradict a standing scene in two frames running, off the planes
-/// that everything stands on. What they are and whether they really move, their tracks must show.
+/// Finds candidates for moving objects in the background. A candidate is a region that contradicts a static scene in
+/// two consecutive frames and lies off the supporting planes. Its track must show whether it really moves.
 template <typename Camera, typename Noise>
 class Discovery {
  public:
-  static constexpr int kLevel = 2;  ///< of the pyramid whose pixels are the cells
+  static constexpr int kLevel = 2;  ///< pyramid level whose pixels are the cells
 
-  /// What explains a pixel, for `find`. Other values than these number the things that were found before and move.
+  /// Explanations of a pixel, for `find`. The other values are numbers of moving objects that were found before.
   static constexpr std::uint8_t kNothing = 0;     ///< background
-  static constexpr std::uint8_t kStanding = 254;  ///< was found before and stands
+  static constexpr std::uint8_t kStanding = 254;  ///< an object that was found before and is static
   static constexpr std::uint8_t kCovered = 255;   ///< a mask of the network
 
   double reference_seconds = 0.4;
@@ -53,7 +53,7 @@ class Discovery {
     planes_.clear();
   }
 
-  /// The camera's motion over the last interval, before `find`.
+  /// Takes the camera's motion over the last interval. Must be called before `find`.
   /// @param covariance of the left twist of T_cur_prev.
   void advance(const SE3d& T_cur_prev, const Matrix6<double>& covariance, double gain, double offset) {
     for (Reference& r : history_) {
@@ -66,7 +66,7 @@ class Discovery {
     }
   }
 
-  /// Fills `masks`. @param known what explains each pixel, see above. @param timestamp seconds.
+  /// Fills `masks`. @param known explanation of each pixel, see above. @param timestamp seconds.
   void find(const Camera& camera, const Noise& noise, const Pyramid& image, const DepthPyramid& depth,
             const Image<std::uint8_t>& known, double timestamp) {
     masks.clear();
@@ -95,7 +95,7 @@ class Discovery {
     see(q.width(), q.height());
   }
 
-  /// Share of a mask's cells that contradict a standing scene in this frame.
+  /// Share of a mask's cells that contradict a static scene in this frame.
   double support(const Mask& mask) const {
     const int cell = 1 << level_, half = cell / 2;
     int count = 0, contradicting = 0;
@@ -126,12 +126,12 @@ class Discovery {
  private:
   struct Reference {
     CellFrame frame;
-    Image<float> standing;  ///< inverse depth without what tracks explain
+    Image<float> standing;  ///< inverse depth, 0 where tracks explain the pixel
     CellMotion motion;
     double timestamp = 0;
   };
 
-  /// Against the newest reference, one between, and the oldest.
+  /// Compares with the newest reference, one in the middle, and the oldest.
   void compare(const Camera& cells, const Noise& noise, double timestamp) {
     test_.prepare(cells);
     const std::size_t n = history_.size();
@@ -146,7 +146,8 @@ class Discovery {
     }
   }
 
-  /// From pixels to cells: covered with a margin of one where any pixel is; followed where all pixels have one number.
+  /// Converts pixels to cells. A cell is covered if any of its pixels is, with a margin of one cell. It is followed if
+  /// all its pixels have the same number.
   void read(const Image<std::uint8_t>& known) {
     covered_.resize(current_.q.width(), current_.q.height());
     followed_.resize(current_.q.width(), current_.q.height());

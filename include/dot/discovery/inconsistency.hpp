@@ -14,12 +14,12 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// A frame as the test for inconsistency sees it: the pixels ("cells") of one coarse pyramid level.
+/// A frame as used by the inconsistency test: the pixels ("cells") of one coarse pyramid level.
 struct CellFrame {
   Image<std::uint8_t> grey;
   Image<float> q;         ///< inverse depth, 1/m, 0 = none
-  Image<float> nearest;   ///< largest inverse depth of the 3x3 cells about each, 0 = none
-  Image<float> farthest;  ///< smallest, 0 = none
+  Image<float> nearest;   ///< largest inverse depth of the 3x3 cells around each, 0 = none
+  Image<float> farthest;  ///< smallest inverse depth of these, 0 = none
 
   void build(const Image<std::uint8_t>& grey_level, const Image<float>& depth_level) {
     grey = grey_level;
@@ -45,12 +45,11 @@ struct CellFrame {
   static constexpr float kNone = 1e9f;
 };
 
-/// How much each cell of the new frame contradicts a scene that stands still, in sigma; the maximum over the
-/// references.
+/// How much each cell of the new frame contradicts a static scene, in sigma. It is the maximum over the references.
 struct Inconsistency {
   Image<float> depth;
   Image<float> photo;
-  Image<float> receding;  ///< signed, 1/m per second: how fast what the last frame showed there goes away
+  Image<float> receding;  ///< 1/m per second, signed: speed at which the last frame's surface there recedes
 
   void clear(int width, int height) {
     for (Image<float>* image : {&depth, &photo, &receding}) {
@@ -60,31 +59,31 @@ struct Inconsistency {
   }
 };
 
-/// What has happened between a reference and the new frame, if everything stands.
+/// The change between a reference and the new frame if the scene is static.
 struct CellMotion {
   SE3d T_cur_ref;
   double translation_sigma = 0;  ///< metres, of T_cur_ref
   double gain = 1, offset = 0;   ///< I_cur = gain I_ref + offset
   double seconds = 0;            ///< between the two
-  bool adjacent = false;         ///< the last interval: of the shared depth error only the change counts
+  bool adjacent = false;         ///< the last interval; only the change of the shared depth error counts
 };
 
 /// Compares a new frame with a reference under the camera's motion alone.
 ///
-/// Parallax hides and uncovers standing things, so a difference of depth says nothing by itself. Two findings cannot
-/// come from a standing scene, whatever hides what:
+/// Parallax hides and uncovers static surfaces, so a difference of depth alone is no evidence. Two findings cannot come
+/// from a static scene, whatever the occlusions are:
 ///
-/// - *entered*: a surface of the new frame lies where the reference looked through to something farther,
-///   q - q_ref > 0, q carried into the reference;
-/// - *left*: the new frame looks through where the reference had a surface, q_ref - q > 0, q_ref carried into the new
-///   frame. What is seen there now may be ground that a passing thing uncovered, or the thing itself a bit farther
-///   away: only cells within `kLeaving` of the old range are counted, and, against an older reference, only those that
-///   have gone at least half of their share of the way in the last interval.
+/// - *entered*: a surface of the new frame lies where the reference shows a farther surface, q - q_ref > 0, with q
+///   transformed into the reference;
+/// - *left*: the new frame shows a farther surface where the reference had a nearer one, q_ref - q > 0, with q_ref
+///   transformed into the new frame. The farther surface may be ground that a passing object uncovered, or the object
+///   itself a bit farther away. So only cells within `kLeaving` of the old range are counted. Against an older
+///   reference, a cell must also recede in the last interval at half or more of its mean rate since that reference.
 ///
-/// Both are taken against the nearest surface of 3x3 cells, which forgives fattened edges and half a cell of error, and
-/// divided by the sigma of the difference, s^2 = 2 pixel^2 + common^2 + (q^2 sigma_t)^2. Cells on the same surface or
-/// nearer in both frames are compared by intensity, with the residual's robust scale, the gradient times
-/// `kGradientNoise` cells, and the parallax that the depth's noise leaves open.
+/// Both differences are to the nearest surface of 3x3 cells. This tolerates fattened edges and half a cell of error.
+/// They are divided by the sigma of the difference, s^2 = 2 pixel^2 + common^2 + (q^2 sigma_t)^2. Cells on the
+/// reference's surface or nearer are also compared by intensity. The sigma of that consists of the residual's robust
+/// scale, the gradient times `kGradientNoise` cells, and the parallax due to the depth noise.
 template <typename Camera, typename Noise>
 class InconsistencyTest {
  public:
@@ -94,7 +93,7 @@ class InconsistencyTest {
   /// @param camera of the cells' level.
   void prepare(const Camera& camera) {
     if (x_.width() == camera.width() && x_.height() == camera.height()) return;
-    y_.resize(camera.width(), camera.height());  // x_, which tells that both are ready, comes last
+    y_.resize(camera.width(), camera.height());  // x_ comes last: its size shows that both are ready
     x_.resize(camera.width(), camera.height());
     for (int v = 0; v < camera.height(); ++v)
       for (int u = 0; u < camera.width(); ++u) {
@@ -105,8 +104,8 @@ class InconsistencyTest {
       }
   }
 
-  /// Adds what `reference` says of `current`; the last frame first.
-  /// @param standing the reference's inverse depth where nothing was known to move, 0 elsewhere.
+  /// Adds the evidence of `reference` about `current`. Call it for the last frame first.
+  /// @param standing the reference's inverse depth where no track explains the cell, 0 elsewhere.
   void operator()(const Camera& camera, const Noise& noise, const CellFrame& current, const CellFrame& reference,
                   const Image<float>& standing, const CellMotion& motion, Inconsistency& out) {
     entered(camera, noise, current, reference, motion, out);
@@ -151,7 +150,7 @@ class InconsistencyTest {
         if (!(near > 0)) continue;
         const float s = sigma(noise, m.q, motion), d = (m.q - near) / s;
         out.depth(x, y) = std::max(out.depth(x, y), d);
-        if (m.q < reference.farthest(u, v) - 2 * s) continue;  // hidden then
+        if (m.q < reference.farthest(u, v) - 2 * s) continue;  // hidden in the reference
         const float gx = 0.5f * static_cast<float>(current.grey(x + 1, y) - current.grey(x - 1, y));
         const float gy = 0.5f * static_cast<float>(current.grey(x, y + 1) - current.grey(x, y - 1));
         const float dq = 1.4f * static_cast<float>(noise.pixel_sigma(q));
@@ -191,7 +190,7 @@ class InconsistencyTest {
       }
   }
 
-  /// Of the cells whose depth agrees; grey values, at least one.
+  /// Robust scale of the residuals of cells whose depth agrees. Grey values, at least one.
   float intensity_scale() {
     magnitudes_.clear();
     for (const Residual& r : residuals_)
@@ -203,8 +202,8 @@ class InconsistencyTest {
   struct Residual {
     int x, y;
     float value;     ///< grey values
-    float variance;  ///< beside the intensity's own
-    bool agrees;     ///< in depth
+    float variance;  ///< without that of the intensity itself
+    bool agrees;     ///< whether the depth agrees
   };
   Image<float> x_, y_;  ///< rays of the cells
   std::vector<Residual> residuals_;

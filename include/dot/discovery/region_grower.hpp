@@ -12,12 +12,12 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Regions that do not fit a standing scene.
+/// Finds regions that do not fit a static scene.
 ///
-/// Cells whose depth is inconsistent are seeds. They lie where a moving thing is at odds with the frames before: all of
-/// it when it comes nearer or goes away, its leading part when it crosses. A cluster of seeds therefore grows over
-/// cells of continuous depth, about as far as half its size. A region counts when enough of its cells are inconsistent
-/// in depth or in intensity. A shadow changes intensity alone and gives no seeds.
+/// Cells whose depth is inconsistent are seeds. They lie where a moving object contradicts the frames before: on all of
+/// it when it comes nearer or recedes, on its leading part when it crosses. Therefore a cluster of seeds grows over
+/// cells of continuous depth, by about half its size. A region counts if enough of its cells are inconsistent in depth
+/// or in intensity. A shadow changes the intensity alone and gives no seeds.
 class RegionGrower {
  public:
   static constexpr float kSeed = 3;            ///< sigma
@@ -30,14 +30,15 @@ class RegionGrower {
   /// Regions of one frame, the largest clusters first: cells as y * width + x.
   std::vector<std::vector<int>> regions;
 
-  /// Whether cell i contradicts a standing scene.
+  /// Whether cell i contradicts a static scene.
   static bool contradicts(const Inconsistency& evidence, int i) {
     return evidence.depth.row(0)[i] > kSeed || evidence.photo.row(0)[i] > kPhoto;
   }
 
   /// @param q of the cells, 1/m, 0 = none. @param sigma (q) -> standard deviation of q.
   /// @param open (x, y) -> bool: whether the cell may belong to an unknown object (no mask, not the ground).
-  /// @param followed number of the object that was found before and is expected there, 0 = none: seeds as well.
+  /// @param followed number of the object that was found before and is expected there, 0 = none. These cells are seeds
+  /// too.
   template <typename Sigma, typename Open>
   void operator()(const Image<float>& q, const Inconsistency& evidence, const Image<std::uint8_t>& followed,
                   Sigma&& sigma, Open&& open) {
@@ -80,8 +81,8 @@ class RegionGrower {
   }
   float q_at(std::size_t i) const { return q_->row(0)[i]; }
 
-  /// Breadth first over cells of continuous depth that `take` accepts, at most `steps` (0: any number) from those from
-  /// `begin` on.
+  /// Breadth-first search over cells of continuous depth that `take` accepts. It starts at the cells from index `begin`
+  /// on and goes at most `steps` cells away (0: any number).
   template <typename Take>
   void spread(std::vector<int>& cells, std::size_t begin, int steps, Take&& take) {
     for (int step = 0; begin < cells.size() && (steps == 0 || step < steps); ++step) {
@@ -106,7 +107,7 @@ class RegionGrower {
         cells.end());
     if (static_cast<int>(cells.size()) < kMinSeeds) return;
     for (const int i : cells) state_[static_cast<std::size_t>(i)] = kTaken;
-    // Only what is inconsistent now makes it grow.
+    // Growth starts only at cells that are inconsistent now.
     const auto grown =
         std::stable_partition(cells.begin(), cells.end(), [&](int i) { return !(evidence.depth.row(0)[i] > kSeed); });
     const std::size_t first = static_cast<std::size_t>(grown - cells.begin());
@@ -119,8 +120,8 @@ class RegionGrower {
     if (count >= kMinCells && inconsistent >= kMinShare * count) regions.push_back(std::move(cells));
   }
 
-  /// Regions that touch without a step in depth are one, and so are those of an object that was found before: a post
-  /// before it may part them.
+  /// Merges regions that touch without a step in depth, and regions of an object that was found before. A post in front
+  /// of the object may separate these.
   void merge(const Image<std::uint8_t>& followed) {
     owner_.assign(state_.size(), -1);
     for (std::size_t r = 0; r < regions.size(); ++r)

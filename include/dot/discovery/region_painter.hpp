@@ -14,7 +14,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// The mask of a region of cells: closed over small holes, and its border drawn by the depth of the pixels.
+/// Makes the mask of a region of cells. Small holes are closed, and the border follows the depth of the pixels.
 /// @param region cells as y * q.width() + x, of pixels of size `cell`. @param q of the cells.
 class RegionPainter {
  public:
@@ -65,7 +65,7 @@ class RegionPainter {
   }
 
  private:
-  /// What the region encloses, such as a window that shows what is behind, belongs to it.
+  /// Adds all that the region encloses, such as a window through which the background is visible.
   void fill_holes() {
     constexpr std::uint8_t outside = 1;
     const auto reach = [this](int x, int y) {
@@ -84,7 +84,7 @@ class RegionPainter {
       for (int x = 0; x < inside_.width(); ++x) inside_(x, y) = inside_(x, y) == outside ? 0 : 255;
   }
 
-  std::vector<std::array<int, 2>> front_;  ///< of the pixels outside
+  std::vector<std::array<int, 2>> front_;  ///< of the flood fill outside
   Image<std::uint8_t> inside_, inner_, rows_;
   Image<float> near_, far_;  ///< bounds of the inverse depth about each cell
 };

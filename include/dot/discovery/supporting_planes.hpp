@@ -14,18 +14,18 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// The planes on which a scene stands and which close it: road, floor, table, long walls. Of all planes those with most
-/// measurements on them and next to none behind them; no direction of "up" is assumed. A plane in space is linear in
+/// The planes that support and bound a scene: road, floor, table, long walls. They are the planes with most
+/// measurements on them and almost none behind them. No direction of "up" is assumed. A plane in space is linear in
 /// inverse depth over the image, q = a u + b v + c.
 class SupportingPlanes {
  public:
   static constexpr int kMaxPlanes = 3;
-  static constexpr double kShare = 0.1;    ///< of the measurements must lie on a plane ...
-  static constexpr double kBehind = 0.25;  ///< ... and at most this many, relative to those, behind it
-  static constexpr double kRise = 0.1;     ///< what rises less, relative to the nearest plane's distance, lies on it
+  static constexpr double kShare = 0.1;    ///< least share of the measurements on a plane
+  static constexpr double kBehind = 0.25;  ///< largest number behind it, relative to those on it
+  static constexpr double kRise = 0.1;     ///< lower points count as on it; relative to the nearest plane's distance
 
   /// @param q inverse depth, 0 = none. @param camera of this image. @param sigma (q) -> standard deviation of q.
-  /// @param use (x, y) -> bool: what may support a plane.
+  /// @param use (x, y) -> bool: whether the pixel may support a plane.
   template <typename Sigma, typename Use>
   void find(const Image<float>& q, const Intrinsics& camera, Sigma&& sigma, Use&& use) {
     points_.clear();
@@ -63,7 +63,7 @@ class SupportingPlanes {
   };
   struct Plane {
     float a = 0, b = 0, c = 0;
-    float rise = 0;  ///< of kRise, relative to this plane's distance
+    float rise = 0;  ///< kRise, converted to this plane's distance
     float operator()(float x, float y) const { return a * x + b * y + c; }
   };
 
@@ -101,7 +101,7 @@ class SupportingPlanes {
     return true;
   }
 
-  /// Measurements on the plane and on no other less those behind it; 0 when it does not support the scene.
+  /// Number of measurements on this plane alone minus those behind it. 0 if it does not support the scene.
   double rate(const Plane& plane) const {
     int on = 0, behind = 0, count = 0;
     const std::size_t step = std::max<std::size_t>(1, points_.size() / 500);
@@ -117,7 +117,7 @@ class SupportingPlanes {
     return on >= kShare * count && behind <= kBehind * on ? on - behind : 0;
   }
 
-  /// Least squares over what lies on it.
+  /// Least squares over the measurements on the plane.
   void refine(Plane& plane) const {
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0, sr = 0, sxr = 0, syr = 0;
     for (const Point& p : points_) {
@@ -137,7 +137,7 @@ class SupportingPlanes {
     plane.c += static_cast<float>((sr - a * sx - b * sy) / n);
   }
 
-  /// In rays q = n X / d with n the unit normal, so the length of q's coefficients is 1 / d.
+  /// For a ray X, q = n X / d with the unit normal n. So the norm of q's coefficients is 1 / d.
   void set_rise(const Intrinsics& camera) {
     const auto inverse_distance = [&](const Plane& p) {
       const double a = p.a, b = p.b, c = p.c;

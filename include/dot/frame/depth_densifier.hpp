@@ -13,15 +13,16 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Fills in the inverse depth between sparse measurements, as of a lidar, whose points cover a few percent of the
-/// pixels: each pixel gets the value of the plane q = a + b u + c v through the measurements about it. What lies
-/// between two surfaces has none: there the measurements are not on a plane. Nor has what lies beside all measurements.
+/// Interpolates the inverse depth between sparse measurements, such as those of a lidar, which cover a few percent of
+/// the pixels. Each pixel gets the value of the plane q = a + b u + c v through the measurements around it. Pixels
+/// between two surfaces get none, because the measurements are not on one plane. Pixels outside all measurements get
+/// none.
 class DepthDensifier {
  public:
   static constexpr double kSparse = 0.25;  ///< `density` below which an image is sparse
 
-  /// The share of the pixels that are measured about those that are: where depth is dense in a part of the image alone,
-  /// it is near 1. @param q 1/m, <= 0 = not measured. @return 0 where nothing is measured.
+  /// The share of measured pixels in the neighbourhood of measured pixels. It is near 1 even if depth is dense in only
+  /// a part of the image. @param q 1/m, <= 0 = not measured. @return 0 if nothing is measured.
   static double density(const Image<float>& q) {
     constexpr int kReach = 12;  // pixels: some beams of a lidar
     double measured = 0, looked_at = 0;
@@ -49,7 +50,8 @@ class DepthDensifier {
   }
 
  private:
-  /// Calls visit(x, y) for some thousand measured pixels at most. Not for some rows: beams are rows, too.
+  /// Calls visit(x, y) for at most some thousand measured pixels. It does not sample rows, because lidar beams are
+  /// rows.
   template <typename Visitor>
   static void for_some_measured(const Image<float>& q, Visitor&& visit) {
     constexpr int kEnough = 2000;
@@ -64,14 +66,14 @@ class DepthDensifier {
   }
 
   static constexpr double kWanted = 14;       ///< measurements in a window
-  static constexpr int kLeast = 6;            ///< that tell a plane
-  static constexpr double kSigmas = 1.5;      ///< of one measurement: RMS distance from the plane of one surface, ...
-  static constexpr double kRelief = 0.015;    ///< ... which is not quite a plane: share of its inverse depth
-  static constexpr double kOffCentre = 0.6;   ///< share of the window by which their middle may be beside the pixel
-  static constexpr double kSlopePrior = 0.1;  ///< square pixels: keeps a row of measurements from tilting its plane
+  static constexpr int kLeast = 6;            ///< measurements that determine a plane
+  static constexpr double kSigmas = 1.5;      ///< of one measurement: largest RMS distance from the plane
+  static constexpr double kRelief = 0.015;    ///< lower bound of that for curvature, share of inverse depth
+  static constexpr double kOffCentre = 0.6;   ///< largest offset of their middle from the pixel, share of the window
+  static constexpr double kSlopePrior = 0.1;  ///< square pixels; keeps the plane through one row from tilting
   static constexpr int kMostReach = 40;       ///< pixels
 
-  /// Sums over the rows of the window, of the measurements of a column.
+  /// Sums over the measurements of one column, in the rows of the window.
   struct Column {
     double n = 0, v = 0, vv = 0, q = 0, vq = 0, qq = 0;
   };
@@ -86,8 +88,8 @@ class DepthDensifier {
     }
   };
 
-  /// Of a shape that has as many measurements to the sides as above and below: a lidar's beams are farther apart than
-  /// its azimuth steps.
+  /// Chooses a window with as many measurements along its rows as along its columns. A lidar's beams are farther apart
+  /// than its azimuth steps.
   void choose_window(const Image<float>& q, double density) {
     // How often the neighbour in the row, or in the column, is measured within a few pixels.
     constexpr int kNear = 8;
@@ -128,7 +130,7 @@ class DepthDensifier {
     }
   }
 
-  /// Of the window's plane at the pixel; 0 where there is none.
+  /// Value of the window's plane at the pixel, or 0 if there is no plane.
   template <typename Sigma>
   float value(const Sums& s, double x, double y, Sigma&& sigma) const {
     if (s.n < kLeast - 0.5) return 0;

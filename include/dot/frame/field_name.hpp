@@ -9,8 +9,8 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Name of a field that a message tells: `field`, `field.instances[i]`, or a member of either. Put together only where
-/// something is wrong, so that what is right takes no memory.
+/// Name of a field in an error message: `field`, `field.instances[i]`, or a member of either. The string is built only
+/// for an error, so that valid input needs no allocation.
 struct FieldName {
   const char* field;
   const char* member = "";

@@ -10,7 +10,7 @@
 #include "dot/image/view.hpp"
 
 /// @file
-/// What goes into the tracker: plain values and views, neither Eigen nor OpenCV.
+/// The tracker's input: plain values and views, without Eigen or OpenCV.
 
 namespace dot {
 
@@ -23,17 +23,17 @@ struct Instance {
   int y = 0;             ///< pixels
   std::int32_t class_id = -1;
   float score = 1;
-  bool always_dynamic = false;  ///< people and other non-rigid things: always reported as moving (paper, section 3.2)
+  bool always_dynamic = false;  ///< people and other non-rigid objects: always reported as moving (paper, section 3.2)
 };
 
-/// The segmentation of one frame: an id image, or a list of instances that may overlap, or an id image with a list
-/// that tells class and score of some of its ids. Both empty: the network ran and saw nothing.
+/// The segmentation of one frame: an id image, or a list of instances that may overlap, or an id image with a list that
+/// gives class and score of some of its ids. Both empty: the network ran and found nothing.
 struct Masks {
   ImageRef ids;  ///< Id8, Id16 or Id32, of the frame's size, 0 = background
   Span<Instance> instances;
 };
 
-/// A camera motion that the host knows better, with its covariance.
+/// A camera motion that the host knows better than the tracker, with its covariance.
 struct CameraMotion {
   /// T_cur_prev, row-major 3x4: a static point at X in the previous frame's camera is at T_cur_prev X in this one's.
   std::array<double, 12> T_cur_prev{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
@@ -49,7 +49,7 @@ struct Frame {
   ImageRef depth;              ///< DepthF32 or DepthU16; zero, negative, NaN or infinite = no measurement
   std::optional<Masks> masks;  ///< absent: no segmentation for this frame, or not yet
   std::optional<CameraMotion> camera_motion;  ///< absent: estimated from the image
-  /// Where that estimate starts, from odometry or an IMU: T_cur_prev, row-major 3x4. Absent: constant velocity alone.
+  /// Start of that estimate, from odometry or an IMU: T_cur_prev, row-major 3x4. Absent: constant velocity alone.
   std::optional<std::array<double, 12>> camera_prior;
 };
 

@@ -11,7 +11,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// What is kept of a frame: its image and its depth, at all levels of the pyramid.
+/// The stored data of a frame: its image and its depth, at all levels of the pyramid.
 struct FrameData {
   std::uint64_t id = 0;  ///< the caller's
   double timestamp = 0;  ///< seconds

@@ -18,17 +18,17 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Owns all frames and recycles their memory: a frame that is lent to nobody any more is overwritten by a new one. So
-/// there are as many as were ever needed at a time, and none is allocated in steady state.
+/// Owns all frames and recycles their memory. A frame without other users is overwritten by a new one. So the number of
+/// frames is the largest number ever needed at a time, and none is allocated in steady state.
 class FrameStore {
  public:
   /// How frames are built.
   struct Settings {
     int max_levels = 1;    ///< of the pyramids
-    double max_depth = 0;  ///< metres; what is farther counts as not measured
+    double max_depth = 0;  ///< metres; farther depth counts as not measured
   };
 
-  /// Builds a frame's pyramids. @param bias to be subtracted from its inverse depth. @param noise of the depth.
+  /// Builds a frame's pyramids. @param bias is subtracted from its inverse depth. @param noise of the depth.
   template <typename Noise>
   FramePtr add(const Frame& input, const DepthBias& bias, const Noise& noise, const Settings& settings,
                const kernel::Kernels& kernels, const Threads& threads) {
@@ -51,7 +51,7 @@ class FrameStore {
     return newest();
   }
 
-  /// How many frames there is memory for.
+  /// Number of allocated frames.
   std::size_t capacity() const { return frames_.size(); }
 
  private:
@@ -59,7 +59,7 @@ class FrameStore {
 
   FramePtr newest() const { return frames_.back(); }
 
-  /// Between sparse measurements the depth is filled in, see DepthDensifier.
+  /// Builds the depth pyramid. Sparse depth is interpolated, see DepthDensifier.
   template <typename Rows, typename Noise>
   void build_depth(Rows rows, const Noise& noise, int width, int height, int levels, const kernel::Kernels& kernels,
                    DepthPyramid& out) {
@@ -75,7 +75,7 @@ class FrameStore {
     out.build(width, height, copy, levels, kernels);
   }
 
-  /// By some of the rows, at places without a period: the beams of a lidar have one.
+  /// Decides by some of the rows. Their distances have no period, because the beams of a lidar have one.
   template <typename Rows>
   bool may_be_sparse(Rows& rows, int width, int height) {
     constexpr int kEvery = 8;
@@ -91,7 +91,7 @@ class FrameStore {
     return measured < DepthDensifier::kSparse * count * width;
   }
 
-  /// A frame that nobody holds, moved to the end.
+  /// Finds or allocates a frame without users, and moves it to the end.
   FrameData& unused() {
     const auto free = std::find_if(frames_.begin(), frames_.end(), [](const Slot& s) { return s.use_count() == 1; });
     if (free == frames_.end())

@@ -24,19 +24,19 @@ DOT_BEGIN_NAMESPACE
   throw std::invalid_argument(field + ": " + what);
 }
 
-/// Number for a message, without trailing zeros.
+/// Formats a number for a message, without trailing zeros.
 inline std::string to_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", value);
   return text;
 }
 
-/// Whether rows of three-byte pixels, four bytes a pixel apart, look like four-byte pixels. Rows may be that far apart
-/// for other reasons, as in a crop of a wider image; there bytes resemble those of the neighbouring pixel, three bytes
-/// on, more than those four bytes on.
+/// Whether an image given as three-byte pixels, with a stride of four bytes per pixel, looks like four-byte pixels.
+/// Rows may have such a stride for other reasons, as in a crop of a wider image. In that case a byte is more similar to
+/// the byte three positions later, which is of the neighbouring pixel, than to the one four positions later.
 inline bool looks_like_four_channels(const ImageRef& image) {
   if (std::abs(image.stride) != std::ptrdiff_t{4} * image.width) return false;
-  constexpr int rows = 32;  // that are looked at
+  constexpr int rows = 32;  // that are tested
   std::int64_t three_on = 0, four_on = 0;
   for (int i = 0; i < std::min(rows, image.height); ++i) {
     const int y = static_cast<int>(std::int64_t{i} * image.height / std::min(rows, image.height));
@@ -109,7 +109,7 @@ inline void validate(const FieldName& field, const std::array<double, 12>& T) {
 }
 
 /// @throws std::invalid_argument naming the field unless C, row-major 6x6 of a twist [translation; rotation], is a
-/// covariance: symmetric, positive semi-definite but for rounding, and of a motion that is known at all.
+/// covariance: symmetric, positive semi-definite up to rounding, and small enough for a motion that is known at all.
 inline void validate_covariance(const FieldName& field, const std::array<double, 36>& C) {
   constexpr double largest_translation = 1e6, largest_rotation = 10;  // 1 km and pi, squared
   std::array<double, 6> sigma{};
@@ -122,7 +122,7 @@ inline void validate_covariance(const FieldName& field, const std::array<double,
                            ", must be 0 to " + to_text(largest) + "; give no motion where none is known");
     sigma[i] = std::sqrt(variance);
   }
-  // Cholesky's decomposition of the correlations; what rounding takes from a pivot is given back.
+  // Cholesky decomposition of the correlations. The tolerance `rounding` is added to the pivots.
   constexpr double rounding = 1e-5;
   std::array<double, 36> L{};
   for (std::size_t i = 0; i < 6; ++i)

@@ -8,7 +8,7 @@
 
 namespace dot {
 
-/// Leaves what a container adds without a value uninitialised: clearing what is written next takes as long as that.
+/// Leaves new elements of a container uninitialised. To clear them would take as long as the write that follows.
 template <typename T>
 struct UninitializedAllocator : std::allocator<T> {
   template <typename U>
@@ -30,7 +30,7 @@ struct UninitializedAllocator : std::allocator<T> {
   }
 };
 
-/// A vector of numbers whose `resize` leaves the new ones unspecified.
+/// A vector of numbers whose `resize` leaves the new elements unspecified.
 template <typename T>
 using Buffer = std::vector<T, UninitializedAllocator<T>>;
 

@@ -15,8 +15,8 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Luminance of the rows of an image of any colour format, 8 bit, made while they are asked for: little enough at once
-/// to stay in the cache.
+/// Luminance of the rows of an image of any colour format, 8 bit. The rows are converted on request, in blocks that fit
+/// into the cache.
 class GreyRows {
  public:
   static constexpr int kAtOnce = 32;  ///< rows
@@ -26,7 +26,7 @@ class GreyRows {
     if (image.format != PixelFormat::Grey8) rows_.resize(image.width, 2 * kAtOnce);
   }
 
-  /// Row y, which lasts until one more than kAtOnce below it is asked for.
+  /// Row y. It is valid until a row more than kAtOnce below it is requested.
   const std::uint8_t* operator()(int y) {
     if (image_.format == PixelFormat::Grey8) return static_cast<const std::uint8_t*>(image_.data) + y * image_.stride;
     for (; end_ <= y; end_ += kAtOnce) convert(end_, std::min(kAtOnce, image_.height - end_));
@@ -50,7 +50,7 @@ class GreyRows {
 
   ImageRef image_;
   Image<std::uint8_t>& rows_;  ///< row y in row y % (2 kAtOnce)
-  int end_ = 0;                ///< of the rows that have been made
+  int end_ = 0;                ///< end of the converted rows
 };
 
 /// Rows of inverse depth in 1/m; 0 where there is no measurement: zero, negative, NaN, infinite or beyond `max_depth`
@@ -79,7 +79,7 @@ class InverseDepthRows {
   kernel::DepthUnits units_;
 };
 
-/// The same without a bias. What it would take behind `max_depth` metres is that far.
+/// The same with the bias subtracted. Depths that this would move beyond `max_depth` metres are set to `max_depth`.
 class UnbiasedDepthRows {
  public:
   /// @param rows scratch. All else is borrowed.
@@ -104,7 +104,7 @@ class UnbiasedDepthRows {
  private:
   InverseDepthRows measured_;
   const kernel::Kernels& kernels_;
-  Image<float>& rows_;  ///< what was measured; the bias at t = 0, and its growth with t
+  Image<float>& rows_;  ///< the measured row; the bias at t = 0, and its derivative by t
   int height_;
   kernel::RowBias row_;
 };

@@ -12,8 +12,8 @@
 DOT_BEGIN_NAMESPACE
 
 /// Inverse depth at the levels of an image pyramid, 0 = no measurement. A pixel is the mean of those of its 2x2 pixels
-/// that belong to the nearest surface among them (kernel::kSameSurface): a mean across a depth edge would be a surface
-/// that does not exist.
+/// that belong to the nearest surface among them (kernel::kSameSurface). A mean across a depth edge would be on no
+/// surface.
 struct DepthPyramid {
   std::vector<Image<float>> levels;
 

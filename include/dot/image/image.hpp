@@ -9,7 +9,7 @@
 
 namespace dot {
 
-/// An image that owns its pixels, rows without padding. `resize` keeps the memory it has when it suffices.
+/// An image that owns its pixels, with rows without padding. `resize` keeps the memory if it is large enough.
 template <typename T>
 class Image {
  public:
@@ -20,10 +20,10 @@ class Image {
     fill(T{});
   }
 
-  /// Takes the size; the contents are unspecified afterwards.
+  /// Sets the size. The contents are unspecified afterwards.
   void resize(int width, int height) {
     pixels_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    width_ = width;  // after what may throw: an image is as large as it says
+    width_ = width;  // set after the call that may throw, so that the size is always correct
     height_ = height;
   }
   void fill(T value) { std::fill(pixels_.begin(), pixels_.end(), value); }

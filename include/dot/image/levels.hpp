@@ -9,8 +9,8 @@
 
 namespace dot {
 
-/// Builds the levels of a pyramid, each half the size of the one before, in one pass over the image: a row of a level
-/// is made as soon as both rows beneath it are there, while they are in the cache.
+/// Builds the levels of a pyramid, each half the size of the one before, in one pass over the image. A row of a level
+/// is computed as soon as both rows of the level beneath are complete, while they are in the cache.
 /// @param bottom bottom(y, out): row y of level 0, from the top.
 /// @param halve halve(upper, lower, n, out): n pixels of a row from 2 n of each of two.
 template <typename T, typename Bottom, typename Halve>

@@ -9,12 +9,12 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// The extreme of each square window of 2 kReach + 1 pixels, of its part inside the image: `pick` is std::max, a
-/// dilation, or std::min, an erosion. First along the rows, then across them; loops over a row become SIMD code.
-/// @param rows scratch. @param out of the size of `in`, which it may be.
+/// The extreme of each square window of 2 kReach + 1 pixels, within the image. `pick` is std::max for a dilation or
+/// std::min for an erosion. First along the rows, then across them. Compilers turn loops over a row into SIMD code.
+/// @param rows scratch. @param out of the size of `in`; may be `in` itself.
 template <int kReach, typename T, typename Pick>
 void pick_in_windows(ImageView<const T> in, Pick&& pick, Image<T>& rows, ImageView<T> out) {
-  constexpr int kRows = 2 * kReach + 1;  // the last ones are kept, row y in row y % kRows
+  constexpr int kRows = 2 * kReach + 1;  // buffered rows, row y in row y % kRows
   const int width = in.width, height = in.height;
   rows.resize(width, kRows);
   const auto along = [&](const T* from, T* to) {
@@ -34,7 +34,7 @@ void pick_in_windows(ImageView<const T> in, Pick&& pick, Image<T>& rows, ImageVi
   };
   for (int y = 0, next = 0; y < height; ++y) {
     for (; next <= std::min(y + kReach, height - 1); ++next) along(in.row(next), rows.row(next % kRows));
-    const T* from[kRows];  // beyond the border the outermost row again, which changes nothing
+    const T* from[kRows];  // beyond the border the outermost row is repeated, which changes nothing
     for (int i = 0; i < kRows; ++i) from[i] = rows.row(std::clamp(y + i - kReach, 0, height - 1) % kRows);
     T* to = out.row(y);
     for (int x = 0; x < width; ++x) {

@@ -13,8 +13,8 @@
 #include "dot/image/view.hpp"
 
 /// @file
-/// The one door between cv::Mat and the library's views. Nothing is copied in either direction: the views borrow the
-/// memory of the cv::Mat, the cv::Mat headers borrow that of the view, and neither may outlive its owner.
+/// The only conversions between cv::Mat and the library's views. No pixels are copied in either direction. The views
+/// borrow the memory of the cv::Mat, the cv::Mat headers borrow that of the view. Neither may outlive its owner.
 
 namespace dot {
 
@@ -37,9 +37,9 @@ constexpr int opencv_type() {
 
 /// A cv::Mat header over the memory of `view`; empty for an empty view.
 ///
-/// OpenCV has no read-only header, so constness is cast away: the result of a view of const pixels serves as input to
+/// OpenCV has no read-only header, so constness is cast away. The result for a view of const pixels is for input to
 /// OpenCV and must not be written to.
-/// @throws std::invalid_argument when the stride is less than a row, which cv::Mat cannot express.
+/// @throws std::invalid_argument if the stride is less than a row, which cv::Mat cannot express.
 template <typename T>
 cv::Mat mat(ImageView<T> view) {
   if (view.empty()) return {};
@@ -70,7 +70,7 @@ inline ImageRef image_ref(const cv::Mat& image, PixelFormat format, double depth
 }  // namespace detail
 
 /// A colour or grey image for Frame::image: CV_8UC1, CV_8UC3 (blue first) or CV_8UC4 (blue first, alpha ignored). An
-/// empty cv::Mat gives an empty view, which `track` then names.
+/// empty cv::Mat gives an empty view, which `track` then reports as an error.
 /// @throws std::invalid_argument for any other type.
 inline ImageRef view(const cv::Mat& image) {
   if (image.empty()) return {};

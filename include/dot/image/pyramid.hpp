@@ -14,9 +14,9 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Grey images, each half the size of the one before. Level 0 is the image after a Gaussian blur that takes the
-/// pixel noise and the aliasing out of the gradients; a pixel of level l + 1 is the mean of 2x2 pixels of level l, so
-/// u_l = (u_0 + 0.5) / 2^l - 0.5.
+/// Grey images, each half the size of the one before. Level 0 is the image after a Gaussian blur that reduces pixel
+/// noise and aliasing in the gradients. A pixel of level l + 1 is the mean of 2x2 pixels of level l, so u_l = (u_0 +
+/// 0.5) / 2^l - 0.5.
 struct Pyramid {
   std::vector<Image<std::uint8_t>> levels;
 
@@ -24,7 +24,8 @@ struct Pyramid {
   int height() const { return levels.empty() ? 0 : levels[0].height(); }
   int size() const { return static_cast<int>(levels.size()); }
 
-  /// @param grey_row grey_row(y): row y of the image; each is asked for, and those up to four above it again after it.
+  /// @param grey_row grey_row(y): row y of the image. All rows are requested in order; after a row, up to four rows
+  /// above it are requested again.
   /// @param blur_sigma pixels of level 0.
   template <typename GreyRow>
   void build(int width, int height, GreyRow&& grey_row, int level_count, const kernel::Kernels& kernels,
@@ -43,7 +44,7 @@ struct Pyramid {
         grey.width, grey.height, [&](int y) { return grey.row(y); }, level_count, kernels, blur_sigma);
   }
 
-  /// Of a Gaussian; rounded from the outside, the rest goes to the middle.
+  /// Weights of a Gaussian. The outer weights are rounded, and the middle one gets the rest.
   static kernel::BlurWeights blur_weights(double sigma) {
     const double next = std::exp(-0.5 / (sigma * sigma)), outer = std::exp(-2 / (sigma * sigma));
     const double unit = 256 / (1 + 2 * (next + outer));
@@ -55,7 +56,7 @@ struct Pyramid {
   }
 };
 
-/// As many levels as leave the coarsest about 80 pixels wide and not under 20 high, at most `max_levels`.
+/// The number of levels for which the coarsest is about 80 pixels wide and at least 20 high, at most `max_levels`.
 inline int pyramid_levels(int width, int height, int max_levels) {
   int levels = 1;
   while (levels < max_levels && (width >> levels) >= 70 && (height >> levels) >= 20) ++levels;

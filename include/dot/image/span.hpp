@@ -6,7 +6,7 @@
 
 namespace dot {
 
-/// A read-only run of `size` elements owned by somebody else; valid as long as its owner says.
+/// A read-only view of `size` consecutive elements. The owner of the elements defines how long it is valid.
 template <typename T>
 struct Span {
   const T* data = nullptr;

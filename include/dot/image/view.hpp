@@ -7,7 +7,7 @@
 #include <type_traits>
 
 /// @file
-/// What the library passes around instead of an image class: a pointer, a size and a stride.
+/// The views that the library's interfaces use instead of an image class: a pointer, a size and a stride.
 
 namespace dot {
 
@@ -29,7 +29,7 @@ struct ImageView {
   operator ImageView<const T>() const { return {data, width, height, stride}; }
 };
 
-/// What the bytes of an ImageRef mean.
+/// The format of the pixels of an ImageRef.
 enum class PixelFormat : std::uint8_t {
   Grey8,     ///< one byte a pixel
   Bgr8,      ///< three bytes a pixel, blue first (OpenCV's order)
@@ -42,7 +42,7 @@ enum class PixelFormat : std::uint8_t {
   Id32       ///< 32-bit instance ids, 0 = none
 };
 
-/// An image of the caller, of any of the formats that a Frame accepts. Borrowed for the duration of one call.
+/// An image of the caller, in one of the formats that a Frame accepts. Borrowed for the duration of one call.
 struct ImageRef {
   const void* data = nullptr;
   int width = 0;              ///< pixels
@@ -70,7 +70,7 @@ constexpr int bytes_per_pixel(PixelFormat format) {
   return 0;
 }
 
-/// Bytes of the number type that a pixel of `format` consists of: what data and stride are aligned to.
+/// Bytes of the number type of a pixel of `format`. Data and stride are aligned to it.
 constexpr int bytes_per_element(PixelFormat format) {
   const bool bytes = format == PixelFormat::Bgr8 || format == PixelFormat::Rgb8 || format == PixelFormat::Bgra8;
   return bytes ? 1 : bytes_per_pixel(format);

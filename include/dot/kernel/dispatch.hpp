@@ -7,13 +7,13 @@
 #include "dot/kernel/settings.hpp"
 
 /// @file
-/// Which kernels run, in the compiled tier (target dot::dot).
+/// Choice of the kernels in the compiled tier (target dot::dot).
 
 namespace dot {
 
-/// The kernels of a variant, or null where this build or this machine has no such. `Auto` is never null: the variant
-/// that the environment variable DOT_KERNEL names (portable, avx2, avx512), if that is one of this machine, else the
-/// widest of this machine. It changes no more than the last digits.
+/// The kernels of a variant, or null if this build or this machine does not have it. `Auto` is never null: it is the
+/// variant named by the environment variable DOT_KERNEL (portable, avx2, avx512) if this machine has it, else the
+/// widest variant of this machine. The choice changes only the last digits of the results.
 DOT_EXPORT const kernel::Kernels* find_kernels(KernelVariant variant = KernelVariant::Auto);
 
 }  // namespace dot

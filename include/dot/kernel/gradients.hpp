@@ -5,22 +5,22 @@
 #include <cstddef>
 
 /// @file
-/// What the kernel that looks for strong gradients takes; see points/select.hpp.
+/// Input of the kernel that searches for strong gradients; see points/select.hpp.
 
 namespace dot::kernel {
 
-/// Some rows of an image, and which of their pixels count.
+/// Some rows of an image, with a mask of the pixels that count.
 struct GradientStrip {
-  const unsigned char* grey = nullptr;  ///< the strip's first pixel; one pixel all around the strip is read too
+  const unsigned char* grey = nullptr;  ///< the strip's first pixel; a border of one pixel is read, too
   std::ptrdiff_t grey_stride = 0;       ///< bytes
   const unsigned char* mask = nullptr;  ///< non-zero = counts
   std::ptrdiff_t mask_stride = 0;       ///< bytes
-  const float* q = nullptr;             ///< where not above 0, the pixel does not count; null: all do
+  const float* q = nullptr;             ///< a pixel counts only if its value is above 0; null: all count
   std::ptrdiff_t q_stride = 0;          ///< bytes
   int width = 0, rows = 0;              ///< pixels; at most kMaxStripRows
 
-  /// Of a pixel in a row of the strip: the larger, the stronger its gradient, and among equals the higher up.
-  /// @param gradient (2 |grad I|)^2, from central differences without their half.
+  /// Key of a pixel in a row of the strip. A stronger gradient has a larger key, and among equals the upper pixel.
+  /// @param gradient (2 |grad I|)^2, from central differences without the factor 1/2.
   constexpr int key(int gradient, int row) const { return (gradient << row_bits()) + (rows - 1 - row); }
   constexpr int gradient_of(int key) const { return key >> row_bits(); }
   constexpr int row_of(int key) const { return rows - 1 - (key & ((1 << row_bits()) - 1)); }

@@ -3,22 +3,22 @@
 #pragma once
 
 /// @file
-/// What the kernels for rows of images take.
+/// Input of the kernels for rows of images.
 
 namespace dot::kernel {
 
-/// What a depth sensor's values mean.
+/// Units and range of a depth sensor's values.
 struct DepthUnits {
-  float unit = 1;           ///< values a metre
-  float near = 0, far = 0;  ///< values; beyond them is no measurement, nor is NaN
+  float unit = 1;           ///< values per metre
+  float near = 0, far = 0;  ///< values; values outside this range, and NaN, are no measurement
 };
 
-/// What is wrong with the inverse depths of a row, 1/m: base + slope * t, one of each for a pixel.
+/// The bias of the inverse depths of a row, 1/m: base + slope * t, with one value of each per pixel.
 struct RowBias {
   const float* base = nullptr;
   const float* slope = nullptr;
   float t = 0;
-  float least = 0;  ///< 1/m: what is less without the bias is that
+  float least = 0;  ///< 1/m: lower bound of the result
 };
 
 /// Weights of a symmetric filter of five pixels, in 1/256: `middle + 2 (next + outer) = 256`.
@@ -26,7 +26,7 @@ struct BlurWeights {
   unsigned short middle = 256, next = 0, outer = 0;
 };
 
-/// What differs more, relative to the larger inverse depth, is not one surface.
+/// Largest difference on one surface, relative to the larger inverse depth.
 constexpr float kSameSurface = 0.1f;
 
 }  // namespace dot::kernel

@@ -8,36 +8,37 @@
 #include "dot/kernel/planes.hpp"
 
 /// @file
-/// The one signature of the kernels, portable or compiled.
+/// The common signature of the portable and the compiled kernels.
 
 namespace dot::kernel {
 
-/// A set of kernels for one kind of machine. Reentrant; results depend on the arguments alone, and differ between the
-/// sets by no more than float rounding.
+/// A set of kernels for one kind of machine. The kernels are reentrant. Results depend on the arguments alone, and
+/// differ between the sets only by float rounding.
 struct Kernels {
   const char* name;
   void (*residuals)(const Input& in, const Residuals& out);
   void (*linearize)(const Input& in, Sums& out);       ///< pose, gain and offset
   void (*linearize_pose)(const Input& in, Sums& out);  ///< pose alone
-  /// Samples a level of at least 4 x 4 pixels at n points (u, v), pixels of level 0, of which `scale` is the size in
-  /// those of the level; points at its border are moved inside.
+  /// Samples a level of at least 4 x 4 pixels at n points (u, v), pixels of level 0. `scale` is the size of such a
+  /// pixel in pixels of the level. Points at the border are moved inside.
   void (*sample)(const Level& level, float scale, const float* u, const float* v, int n, const Samples& out);
-  /// Fits a plane robustly to the inverse depth about each of `count` seeds: three least-squares passes, the first with
-  /// the wide gate about the seed (a steep plane), then about the fit.
+  /// Fits a plane robustly to the inverse depth about each of `count` seeds, in three least-squares passes. The first
+  /// has a wide gate about the seed, to allow steep planes. The others have the gate about the fit.
   void (*fit_planes)(const InverseDepth& image, const PlaneWindow& window, const PlaneSeed* seeds, int count,
                      Plane* planes);
-  /// The largest GradientStrip::key of each column, or that of `threshold` in row 0 where no gradient is above it.
+  /// The largest GradientStrip::key of each column, or the key of `threshold` in row 0 if no gradient is above it.
   void (*strongest_gradients)(const GradientStrip& strip, int threshold, int* keys);
-  /// Inverse depth of n values of a row, 1/m; 0 where there is no measurement.
+  /// Inverse depth of n values of a row, 1/m; 0 if there is no measurement.
   void (*invert_words)(const unsigned short* values, int n, const DepthUnits& units, float* out);
   void (*invert_floats)(const float* values, int n, const DepthUnits& units, float* out);
-  /// n inverse depths without their bias; 0 remains 0. `out` is another row.
+  /// Subtracts the bias from n inverse depths; 0 remains 0. `out` must be another row.
   void (*take_bias)(const float* q, int n, const RowBias& bias, float* out);
   /// The mean of those of 2x2 pixels that belong to the nearest surface among them; n pixels of 2 n in each row.
   void (*halve_depth)(const float* upper, const float* lower, int n, float* out);
-  /// A row from five of n pixels, blurred both ways; pixels at the ends serve as those beyond. Rounded once.
+  /// Blurs five rows of n pixels to one row, in both directions. The pixels at the ends are repeated beyond. Rounded
+  /// once.
   void (*blur)(const unsigned char* const* rows, int n, const BlurWeights& weights, unsigned char* out);
-  /// The mean of 2x2 pixels, halves upwards; n pixels of 2 n in each row.
+  /// The mean of 2x2 pixels, halves rounded up; n pixels of 2 n in each row.
   void (*halve)(const unsigned char* upper, const unsigned char* lower, int n, unsigned char* out);
 };
 

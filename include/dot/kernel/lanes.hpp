@@ -9,9 +9,9 @@
 #include "dot/abi.hpp"
 
 /// @file
-/// SIMD lanes in plain C++, for what is written over them (kernel/impl/kernels_of.hpp): one, and four by the vectors
-/// that GCC and Clang map to what the build's machine has (SSE2, NEON). They live in the namespace of the including
-/// build, with its flags.
+/// SIMD lanes in plain C++, for code that is generic over lanes (kernel/impl/kernels_of.hpp). There are single lanes,
+/// and four lanes by the vector types that GCC and Clang map to the target machine (SSE2, NEON). They are in the
+/// namespace of the including build and are compiled with its flags.
 
 DOT_BEGIN_NAMESPACE
 
@@ -70,7 +70,7 @@ struct ScalarLanes {
 
 #if defined(__GNUC__)
 
-/// A mask is an integer vector of 0 and -1, as the comparisons give it.
+/// A mask is an integer vector of 0 and -1, the result of comparisons.
 struct VectorLanes {
   static constexpr int W = 4;
   typedef float F __attribute__((vector_size(16)));

@@ -7,8 +7,8 @@
 #include "dot/kernel/settings.hpp"
 
 /// @file
-/// What the photometric kernels take and give: the factor of align/reduction.hpp for a pinhole camera, over raw
-/// pointers. Plain structs alone, so that a unit built for another instruction set shares no code with its host.
+/// Input and output of the photometric kernels: the factor of align/reduction.hpp for a pinhole camera, with raw
+/// pointers. There are only plain structs, so that a unit built for another instruction set shares no code with others.
 
 namespace dot::kernel {
 
@@ -39,7 +39,7 @@ struct View {
   float fx = 1, fy = 1, cx = 0, cy = 0;
   float R[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   float t[3] = {0, 0, 0};
-  float centre[3] = {0, 0, 0};  ///< metres, camera axes: the rotation's derivatives are about it
+  float centre[3] = {0, 0, 0};  ///< metres, camera axes; centre of the rotation's derivatives
   float gain = 1, offset = 0;
 };
 
@@ -50,7 +50,7 @@ struct Noise {
   float huber = 1.345f;  ///< in sigma
 };
 
-/// What the measured inverse depth of the new frame says, see DepthTerm.
+/// The term of the measured inverse depth of the new frame, see DepthTerm.
 struct Depth {
   const float* data = nullptr;  ///< 1/m, 0 = none
   int width = 0, height = 0;
@@ -73,7 +73,7 @@ struct Input {
   GradientSource gradient = GradientSource::Image;
 };
 
-/// One value a point, arrays of the caller of length n; zero where the point is not seen.
+/// One value per point, arrays of the caller of length n. Zero if the point is not seen.
 struct Residuals {
   float* r = nullptr;                   ///< grey values
   float* extra = nullptr;               ///< variance besides s2
@@ -82,17 +82,17 @@ struct Residuals {
   unsigned char* visibility = nullptr;  ///< a sum of the following
 };
 constexpr unsigned char kSeen = 1;      ///< inside the image, in front, not hidden
-constexpr unsigned char kHasDepth = 2;  ///< r_depth holds
+constexpr unsigned char kHasDepth = 2;  ///< r_depth is valid
 constexpr unsigned char kOccluded = 4;  ///< inside the image, but hidden
 
-/// Of an image at points, arrays of the caller, one value a point.
+/// Samples of an image at points, arrays of the caller, one value per point.
 struct Samples {
   float* value = nullptr;  ///< grey values, bilinear
   float* gu = nullptr;     ///< grey values per pixel: central differences, bilinear
   float* gv = nullptr;     ///< see gu
 };
 
-/// Sums over the points, see NormalEquations. Of the pose alone: the first six rows and columns, the rest zero.
+/// Sums over the points, see NormalEquations. For the pose alone, all but the first six rows and columns are zero.
 struct Sums {
   double H[64] = {};  ///< 8x8, of [xi; a; b], symmetric
   double g[8] = {};

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 /// @file
-/// What the kernel that fits planes to inverse depth takes and gives; see points/plane_fit.hpp.
+/// Input and output of the kernel that fits planes to inverse depth; see points/plane_fit.hpp.
 
 namespace dot::kernel {
 
@@ -17,17 +17,17 @@ struct InverseDepth {
   std::ptrdiff_t stride = 0;
 };
 
-/// Of each window, 2 radius + 1 pixels wide and high, cut off at the image's border.
+/// Size of each window: 2 radius + 1 pixels wide and high, clipped at the image's border.
 struct PlaneWindow {
   int radius = 5;       ///< pixels
-  int row_step = 1;     ///< of the window's rows, only each so manieth is read; they count for the others
+  int row_step = 1;     ///< only every row_step-th row of the window is read, and counts for the others
   int min_inliers = 1;  ///< pixels
 };
 
 struct PlaneSeed {
   int u = 0, v = 0;  ///< pixels: the window's centre
-  float q = 0;       ///< 1/m, near which the surface is searched
-  float gate = 0;    ///< 1/m: what is farther from the fit is left out; three times as far from the seed
+  float q = 0;       ///< 1/m, approximate value of the surface
+  float gate = 0;    ///< 1/m: largest distance of a pixel from the fit; three times as large from the seed
 };
 
 /// A plane in space is linear in inverse depth over the image: q(u, v) = q + du (u - u0) + dv (v - v0).
@@ -35,7 +35,7 @@ struct Plane {
   float q = 0;           ///< 1/m at (u0, v0)
   float du = 0, dv = 0;  ///< 1/m per pixel
   float variance = 0;    ///< of the inliers' residuals, 1/m^2
-  int inliers = 0;       ///< 0: too few, or they do not determine a plane; the rest means nothing then
+  int inliers = 0;       ///< 0: too few, or they do not determine a plane; then the rest is not valid
 };
 
 }  // namespace dot::kernel

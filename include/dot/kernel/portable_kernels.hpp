@@ -7,7 +7,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// The kernels of a build without the compiled tier, for any machine.
+/// The kernels of a build without the compiled tier. They run on any machine.
 inline const kernel::Kernels& portable_kernels() {
   static constexpr kernel::Kernels kernels = kernel::kernels_of<PortableLanes>("portable");
   return kernels;

@@ -4,10 +4,10 @@
 
 namespace dot {
 
-/// For which machine the kernels are, see kernel/dispatch.hpp.
+/// The machine that the kernels are for, see kernel/dispatch.hpp.
 enum class KernelVariant { Auto, Portable, Avx2, Avx512 };
 
-/// Whose gradients the derivatives of the residual take.
+/// The source of the gradients in the derivatives of the residual.
 enum class GradientSource {
   Image,      ///< the new image's at the moved point: forward, the paper's
   Reference,  ///< the reference's, sampled once: the idea of inverse composition (Baker and Matthews 2004)

@@ -17,22 +17,22 @@ DOT_BEGIN_NAMESPACE
 struct GrowWorkspace {
   struct Pixel {
     int x, y;
-    float q;  ///< 1/m, its own or, without measurement, its neighbour's
+    float q;  ///< 1/m, its own; its neighbour's if not measured
   };
   std::vector<Pixel> front;
 };
 
-/// Grows an object's pixels in `ids` into parts of it that the last segmentation could not see: what has come in over
-/// the image border since, or out from behind something.
+/// Grows an object's pixels in `ids` into parts of it that the last segmentation could not see. Such parts have since
+/// entered over the image border or come out from behind something.
 ///
-/// A free pixel (id 0) beside the object, or beside something narrow that stands before it, joins it when
+/// A free pixel (id 0) beside the object, or beside something narrow in front of it, joins the object if
 /// - its inverse depth continues the neighbour's,
-/// - it was unseen in the segmented frame if it moved with the object, out of the image or hidden. Where it would have
-///   been visible the segmentation has already said that it is not the object's;
-/// - it was not there if it stands: one looked through, or at the object. So the ground, walls and whatever else the
-///   segmented frame shows stays out, and standing objects, for which both motions are the same, do not grow.
+/// - assuming that it moved with the object, it was outside the image or hidden in the segmented frame. If it was
+///   visible there, the segmentation has already decided that it is not part of the object;
+/// - assuming that it is static, it was not there: the segmented frame shows something farther, or the object. So the
+///   ground, walls and all else in that frame stay out. Static objects do not grow: both motions are the same.
 /// @param T_seg_object motion of the object's points from the current camera to the segmented frame's
-/// @param T_seg_static the camera's alone
+/// @param T_seg_static the camera's motion alone
 /// @param tolerance    of an inverse depth q, relative: tolerance(q)
 /// @param box          x, y, width, height of the object's pixels; grows with them
 /// @return pixels gained.

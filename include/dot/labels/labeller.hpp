@@ -14,27 +14,27 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// The label and id images of each frame, and the parts of objects that the last segmentation could not see: keeps what
-/// that one showed.
+/// Makes the label and id images of each frame. Adds the parts of objects that the last segmentation could not see. For
+/// this it keeps the last segmented frame.
 template <typename Camera, typename Noise>
 class Labeller {
  public:
   using List = std::vector<Track*>;
 
-  /// Labels the current frame by the masks of these tracks; sets the tracks' masks to what is visible of them.
-  /// @param far_to_near the last one is on top. @param camera_step that led to the frame. @param segmented there are
-  /// masks of a network for it.
+  /// Labels the current frame by the masks of these tracks. Reduces the tracks' masks to their visible parts.
+  /// @param far_to_near the last one is on top. @param camera_step led to the frame. @param segmented there are masks
+  /// of a network for it.
   void label(const List& far_to_near, const FramePtr& cur, const CameraStep& camera_step, bool segmented,
              const Camera& camera, const Noise& noise, const MaskSettings& settings);
 
   const Image<std::uint8_t>& labels() const { return labels_; }
   const Image<std::uint32_t>& ids() const { return ids_; }
 
-  /// Makes a past frame the last one that was segmented, by the masks of these tracks.
-  /// @param camera_since motion since then. @param known whether that was measured.
+  /// Makes a past frame the last segmented one, with the masks of these tracks.
+  /// @param camera_since motion since then. @param known whether that motion was measured.
   void set_segmented(const List& far_to_near, const FramePtr& frame, const CameraSince& camera_since, bool known);
 
-  /// Forgets what the last segmentation showed.
+  /// Forgets the last segmentation.
   void forget() noexcept {
     segmented_.reset();
     newly_segmented_.reset();
@@ -53,8 +53,8 @@ class Labeller {
   FramePtr segmented_;  ///< the last frame that was segmented before the newest one
   Image<std::uint32_t> segmented_ids_;
   SE3d T_now_segmented_;      ///< camera motion since
-  bool known_ = false;        ///< that is known, and there is such a frame
-  FramePtr newly_segmented_;  ///< the newest frame, if it was segmented: with the next one it is that frame
+  bool known_ = false;        ///< there is such a frame, and that motion is known
+  FramePtr newly_segmented_;  ///< the newest frame, if it was segmented; becomes `segmented_` at the next frame
 
   GrowWorkspace grow_workspace_;
   WarpWorkspace warp_workspace_;

@@ -13,14 +13,16 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Gives an object in `ids` what a segmentation could not see of it and earlier ones had shown, where it has come out.
+/// Adds to an object in `ids` the parts that have come out again: earlier segmentations showed them, but the last one
+/// could not see them.
 ///
-/// An expected pixel that is free (id 0) is taken when its measured depth is the expected one, when it was unseen in
-/// the segmented frame if it moved with the object, and when that frame does not show that it stands there. Unlike what
-/// `grow` finds, it may have been hidden either way: that it is the object's is known.
+/// An expected pixel that is free (id 0) joins the object under three conditions. Its measured depth is the expected
+/// one. Assuming that it moved with the object, it was unseen in the segmented frame. Assuming that it is static, that
+/// frame shows no other surface there. Unlike in `grow`, it may have been hidden under both assumptions, because it is
+/// known to be the object's.
 /// @param expected     the hidden part in this frame, not trimmed
 /// @param T_seg_object motion of the object's points from the current camera to the segmented frame's
-/// @param T_seg_static the camera's alone
+/// @param T_seg_static the camera's motion alone
 /// @param tolerance    of an inverse depth q, relative: tolerance(q)
 /// @param box          x, y, width, height of the object's pixels; grows with them
 /// @return pixels gained.

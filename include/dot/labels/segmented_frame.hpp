@@ -13,22 +13,22 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// What the last segmentation saw: against it later pixels are told to be new. Borrowed.
+/// The last segmented frame. Later pixels are compared with it to find the new ones. Borrowed.
 struct SegmentedFrame {
   const Image<float>& inverse_depth;  ///< 1/m, <= 0 or not finite = no measurement
   const Image<std::uint32_t>& ids;    ///< of the objects shown there, 0 = background
 };
 
-/// What the segmented frame says of a point, given where it would have been.
+/// The content of the segmented frame at the place where a point would have been.
 enum class InSegmentedFrame : std::uint8_t {
-  Unseen,  ///< out of the image, or behind something: it may be new
-  Object,  ///< there was the object's surface
-  Empty,   ///< one looked through there: the point was elsewhere
-  Other    ///< there was a surface that is not the object's
+  Unseen,  ///< outside the image, or behind something: the point may be new
+  Object,  ///< the object's surface was there
+  Empty,   ///< a farther surface is visible there: the point was elsewhere
+  Other    ///< a surface that is not the object's was there
 };
 
-/// Whether the measurement that is closest in the row, to the left or to the right, is nearer than q, 1/m: where stereo
-/// found nothing, at the image's border or beside an edge, what stands there may hide what is behind.
+/// Whether the next measurement in the row, to the left or to the right, is nearer than q, 1/m. At the image border or
+/// beside an edge, where stereo has no measurement, such a nearer surface may hide what is behind it.
 inline bool beside_nearer(const Image<float>& inverse_depth, int x, int y, float q) {
   const int reach = inverse_depth.width() / 40;
   const float* row = inverse_depth.row(y);

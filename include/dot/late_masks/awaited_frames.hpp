@@ -12,12 +12,12 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// A frame without segmentation, whose masks may still come.
+/// A frame without segmentation, whose masks may still arrive.
 struct AwaitedFrame {
   FramePtr frame;
-  CameraStep camera;        ///< that led to it
+  CameraStep camera;        ///< the step that led to it
   CameraSince since;        ///< the camera's motion since then
-  bool since_known = true;  ///< that was measured, in every frame since
+  bool since_known = true;  ///< whether that was measured in every frame since
 
   double timestamp() const { return frame->timestamp; }
 };
@@ -27,7 +27,7 @@ class AwaitedFrames {
  public:
   using const_iterator = std::vector<AwaitedFrame>::const_iterator;
 
-  /// Another frame follows. @param step led to it.
+  /// Moves all to the next frame. @param step led to that frame.
   void advance(const CameraStep& step) {
     for (AwaitedFrame& f : frames_) {
       f.since = f.since.after(step);
@@ -35,7 +35,7 @@ class AwaitedFrames {
     }
   }
 
-  /// Adds the newest frame; drops what is older than so many seconds, and the oldest of more than `most`.
+  /// Adds the newest frame. Drops frames older than `seconds`, and the oldest ones if there are more than `most`.
   void add(const FramePtr& frame, const CameraStep& step, double seconds, int most) {
     constexpr double kClockError = 1e-6;  // seconds
     const auto count = static_cast<std::size_t>(most);
@@ -48,14 +48,14 @@ class AwaitedFrames {
     frames_.push_back({frame, step, {}, true});
   }
 
-  /// The frame of this id, the newest of several; end() if there is none.
+  /// The frame with this id, the newest one if there are several, end() if there is none.
   const_iterator find(std::uint64_t id) const {
     const auto found =
         std::find_if(frames_.rbegin(), frames_.rend(), [id](const AwaitedFrame& f) { return f.frame->id == id; });
     return found == frames_.rend() ? frames_.end() : std::prev(found.base());
   }
 
-  /// Drops all frames up to this one, and this one.
+  /// Drops all frames up to this one, including it.
   void drop_through(const_iterator last) { frames_.erase(frames_.begin(), std::next(last)); }
   void clear() noexcept { frames_.clear(); }
 

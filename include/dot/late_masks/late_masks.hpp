@@ -11,15 +11,15 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Masks that arrive after their frame: keeps the frames whose masks may still come, and takes those that do to the
-/// present.
+/// Handles masks that arrive after their frame. Keeps the frames whose masks may still arrive, and moves late masks to
+/// the present.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 class LateMasks {
  public:
   using TracksT = Tracks<Camera, Classifier, Noise, Aligner>;
   using Setup = typename TracksT::Setup;
 
-  /// The stages that masks go through, whose states change by them.
+  /// The stages that process masks. The masks change their states.
   struct Stages {
     TracksT& tracks;
     Observations& observations;
@@ -30,15 +30,17 @@ class LateMasks {
 
   const AwaitedFrames& frames() const { return frames_; }
 
-  /// Another frame follows. @param step led to it.
+  /// Moves all to the next frame. @param step led to that frame.
   void advance(const CameraStep& step) { frames_.advance(step); }
 
-  /// Keeps the newest frame as long as its masks may come: until those of a later one have, or are too late.
-  /// @param segmented it came with masks.
+  /// Keeps the newest frame while its masks may arrive: until they are too late, or masks of a later frame have
+  /// arrived.
+  /// @param segmented the frame came with masks.
   void await(const FramePtr& cur, const CameraStep& step, bool segmented, const MaskSettings& settings,
              const std::vector<Track*>& tracks);
 
-  /// Takes the masks of a past frame, which `observations` has counted, and all tracks with them to the present.
+  /// Applies the masks of a past frame, which `observations` has counted, and moves all tracks to the present with
+  /// them.
   /// @param then one of `frames`. @param now timestamp of the newest frame.
   void apply(AwaitedFrames::const_iterator then, const Masks& masks, double now, const Stages& stages);
 

@@ -17,8 +17,8 @@ using Vector6 = Eigen::Matrix<S, 6, 1>;
 template <typename S>
 using Matrix6 = Eigen::Matrix<S, 6, 6>;
 
-/// A rigid motion X -> R X + t. As a pose T_a_b it takes coordinates of b to those of a.
-/// Its members are of sizes that Eigen never aligns, so it may be kept in any container.
+/// A rigid motion X -> R X + t. As a pose T_a_b it maps coordinates of b to those of a.
+/// Eigen does not align members of these sizes, so SE3 may be stored in any container.
 template <typename S>
 struct SE3 {
   using Scalar = S;
@@ -33,7 +33,7 @@ struct SE3 {
     return {so3::exp(phi), so3::left_jacobian(phi) * rho};
   }
 
-  /// The twist of rotation angle 0 to pi whose `exp` this is.
+  /// The twist, with rotation angle 0 to pi, whose `exp` is this motion.
   Vector6<S> log() const {
     const Vector3<S> phi = so3::log(R);
     Vector6<S> xi;
@@ -63,10 +63,10 @@ struct SE3 {
     return {R.template cast<S2>(), t.template cast<S2>()};
   }
 
-  /// With R made orthonormal again, through the unit quaternion. Meant for the rounding errors of long products.
+  /// The same motion with R orthonormalised by the unit quaternion. Corrects the rounding errors of long products.
   SE3 normalized() const { return {Eigen::Quaternion<S>(R).normalized().toRotationMatrix(), t}; }
 
-  /// From the rows of the 3x4 matrix [R t]; the numbers are taken as they are.
+  /// From the rows of the 3x4 matrix [R t]. The numbers are not changed.
   static SE3 from_row_major(const std::array<double, 12>& m) {
     const Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> Rt(m.data());
     return {Rt.template leftCols<3>().template cast<S>(), Rt.col(3).template cast<S>()};
@@ -157,7 +157,7 @@ Matrix6<typename Derived::Scalar> left_jacobian_inverse(const Eigen::MatrixBase<
   return J;
 }
 
-/// A exp(alpha log(A^-1 B)): A at alpha = 0, B at 1, at a constant twist in between and beyond.
+/// A exp(alpha log(A^-1 B)): A at alpha = 0, B at alpha = 1, with a constant twist in between and beyond.
 template <typename S>
 SE3<S> interpolate(const SE3<S>& A, const SE3<S>& B, typename SE3<S>::Scalar alpha) {
   return A * SE3<S>::exp(alpha * (A.inverse() * B).log());

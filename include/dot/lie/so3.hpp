@@ -26,8 +26,9 @@ namespace detail {
 
 /// s_m(x) = sum over k of (-x)^k / (2k + m)!, where x is the squared angle:
 /// s1 = sin t / t, s2 = (1 - cos t) / t^2, s3 = (t - sin t) / t^3, s4 = (t^2/2 - 1 + cos t) / t^4, and so on.
-/// They obey s_(m+2) = (1/m! - s_m) / x, which loses digits upwards where x is small and gains them downwards. Hence
-/// small angles start at the top, from the series, and large ones at the bottom, from sine and cosine.
+/// They obey s_(m+2) = (1/m! - s_m) / x. For small x this recursion loses digits upwards in m and gains them downwards.
+/// So for small angles it starts at the largest m, from the series; for large ones at the smallest, from sine and
+/// cosine.
 template <typename S>
 struct Coefficients {
   S s1, s2, s3, s4, s5;
@@ -71,7 +72,7 @@ Matrix3<typename Derived::Scalar> hat(const Eigen::MatrixBase<Derived>& w) {
   return m;
 }
 
-/// Inverse of `hat`; of a matrix that is not antisymmetric, the vector of its antisymmetric part.
+/// Inverse of `hat`. For a matrix that is not antisymmetric, the vector of its antisymmetric part.
 template <typename Derived>
 Vector3<typename Derived::Scalar> vee(const Eigen::MatrixBase<Derived>& m) {
   EIGEN_STATIC_ASSERT_MATRIX_SPECIFIC_SIZE(Derived, 3, 3);
@@ -89,14 +90,14 @@ Matrix3<typename Derived::Scalar> exp(const Eigen::MatrixBase<Derived>& w) {
   return Matrix3<S>::Identity() + c.s1 * W + c.s2 * (W * W);
 }
 
-/// The rotation vector of R, of angle 0 to pi; at pi either of the two axes. It goes through the quaternion, which
-/// keeps full precision both near zero, where the trace does not, and near pi, where R - R' does not.
+/// The rotation vector of R, of angle 0 to pi; at pi either of the two axes. It is computed from the quaternion, which
+/// has full precision both near zero, where the trace does not, and near pi, where R - R' does not.
 template <typename Derived>
 Vector3<typename Derived::Scalar> log(const Eigen::MatrixBase<Derived>& R) {
   EIGEN_STATIC_ASSERT_MATRIX_SPECIFIC_SIZE(Derived, 3, 3);
   using S = typename Derived::Scalar;
   const Eigen::Quaternion<S> q{Matrix3<S>(R)};
-  // q and -q are the same rotation; the one with w >= 0 has the angle of at most pi.
+  // q and -q are the same rotation. The one with w >= 0 has an angle of at most pi.
   const S sign = q.w() < S(0) ? S(-1) : S(1);
   const S cosine = sign * q.w();
   const S squared = q.vec().squaredNorm();
@@ -114,7 +115,7 @@ Matrix3<typename Derived::Scalar> left_jacobian(const Eigen::MatrixBase<Derived>
   return Matrix3<S>::Identity() + c.s2 * W + c.s3 * (W * W);
 }
 
-/// Inverse of `left_jacobian`: I - [w]x / 2 + (s3/2 - s4) / s2 [w]x^2. Angles below 2 pi, where J is singular.
+/// Inverse of `left_jacobian`: I - [w]x / 2 + (s3/2 - s4) / s2 [w]x^2. For angles below 2 pi, where J is singular.
 template <typename Derived>
 Matrix3<typename Derived::Scalar> left_jacobian_inverse(const Eigen::MatrixBase<Derived>& w) {
   using S = typename Derived::Scalar;

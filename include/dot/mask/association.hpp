@@ -13,20 +13,21 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// An object's outline and where it is.
+/// An object's outline and its distance.
 struct Outline {
   const Mask* mask = nullptr;
-  double inverse_depth = 0;  ///< 1/m, median; 0 where it is not known
+  double inverse_depth = 0;  ///< 1/m, median; 0 if unknown
 };
 
-/// Which predicted outline each observed one continues: the assignment that minimises the sum of 1 - IoU, over pairs
-/// with IoU >= min_iou, or with IoU >= min_iou / 2 of which one covers min_containment of the smaller (a mask split,
-/// merged or half occluded). With less, one is many times as large and has merely come to lie over the other.
-/// Where the two overlap poorly, IoU < 2 min_iou, and one is more than twice as far as the other, one passes behind the
-/// other. (Depth under a ragged mask may be its neighbour's: it does not break up what overlaps well.)
+/// Finds the predicted outline that each observed one continues. The assignment minimises the sum of 1 - IoU. Allowed
+/// are pairs with IoU >= min_iou, and pairs with IoU >= min_iou / 2 where min_containment of the smaller mask is
+/// covered (a mask split, merged or half occluded). With less IoU, one mask is many times larger and only lies over the
+/// other. A pair is refused if the two overlap poorly, IoU < 2 min_iou, and one is more than twice as far: then one
+/// passes behind the other. Depth under a ragged mask may be its neighbour's, so it does not separate masks that
+/// overlap well.
 ///
-/// Every mask has at most one partner. One that has none counts like an overlap of zero, so that a good pair is never
-/// broken up for the sake of two poor ones.
+/// Every mask has at most one partner. A mask without partner costs as much as an overlap of zero, so that a good pair
+/// is never separated in favour of two poor ones.
 /// @return for each observed mask the index of its predicted one, or -1; in `workspace`, valid until its next use.
 inline const std::vector<int>& associate(const std::vector<Outline>& predicted, const std::vector<Outline>& observed,
                                          const MaskSettings& settings, SparseAssignWorkspace& workspace) {

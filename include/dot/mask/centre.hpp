@@ -12,11 +12,11 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Every how many rows and columns of a mask of `area` pixels 1000 of them or more are left: they tell its middle and
-/// its depth.
+/// Step of rows and columns that leaves 1000 or more samples of a mask of `area` pixels. These are enough for its
+/// middle and its depth.
 inline int sampling_step(int area) { return std::max(1, static_cast<int>(std::sqrt(area / 1000.0))); }
 
-/// Centre of a mask at its median depth, metres, axes of its frame's camera; zero where it has no depth.
+/// Centre of a mask at its median depth, metres, axes of its frame's camera. Zero if it has no depth.
 /// @param inverse_depth 1/m, <= 0: not measured. @param values scratch.
 template <typename Camera>
 Vector3<double> centre_of(const Mask& mask, const Image<float>& inverse_depth, const Camera& camera,

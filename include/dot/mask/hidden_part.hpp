@@ -14,12 +14,13 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Collects what something nearer hides of an object when a segmentation shows the rest of it.
+/// Collects the part of an object that something nearer hides while a segmentation shows the rest of it.
 class HiddenPart {
  public:
   void clear() { pixels_.clear(); }
 
-  /// Adds the pixels of an earlier outline where something nearer was measured and the segmentation does not show it.
+  /// Adds the pixels of an earlier outline where something nearer was measured and the segmentation does not show the
+  /// object.
   /// @param moved         the outline in the segmented frame, not trimmed
   /// @param inverse_depth 1/m, of that frame, <= 0 or not finite = no measurement
   /// @param tolerance     of inverse depths, relative
@@ -38,7 +39,7 @@ class HiddenPart {
     }
   }
 
-  /// As an outline of the segmented frame; empty when nothing is hidden.
+  /// Makes an outline of the segmented frame from the pixels. It is empty if nothing is hidden.
   void make_template(MaskTemplate& out) const {
     out.clear();
     if (pixels_.empty()) return;

@@ -25,7 +25,7 @@ struct AssignWorkspace {
 /// @param cost row-major, rows x cols; a pair whose cost is not finite is forbidden.
 /// @return the column of each row, or -1; in `workspace`, valid until its next use. As many pairs as possible are made;
 /// among those, the cheapest set.
-/// @throws std::invalid_argument when `cost` has another size.
+/// @throws std::invalid_argument if `cost` has another size.
 inline std::vector<int>& assign(const std::vector<double>& cost, int rows, int cols, AssignWorkspace& workspace) {
   if (rows < 0 || cols < 0 || cost.size() != static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols))
     throw std::invalid_argument("cost must have rows * cols elements");
@@ -41,7 +41,7 @@ inline std::vector<int>& assign(const std::vector<double>& cost, int rows, int c
   }
   if (low > high) return column;
 
-  // A forbidden pair costs more than any rearrangement of allowed ones can save.
+  // A forbidden pair costs more than any rearrangement of the allowed pairs can save.
   const int n = std::min(rows, cols), m = std::max(rows, cols);
   const double forbidden = (n + 1) * (high - low) + 1;
   const bool transposed = rows > cols;

@@ -18,9 +18,11 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// A set of pixels of a frame, stored as a crop: 0 or 255, (x, y) the frame's pixel of its top left corner.
+/// A set of pixels of a frame, stored as a crop with values 0 or 255. (x, y) is the frame's pixel of its top left
+/// corner.
 ///
-/// The functions below leave the crop tight: no empty border rows or columns, no pixels at all when nothing is set.
+/// The functions below make the crop tight: it has no empty border rows or columns, and no pixels at all if none is
+/// set.
 struct Mask {
   int x = 0;
   int y = 0;
@@ -52,8 +54,9 @@ struct Mask {
   }
 };
 
-/// Fills `out` with the pixels of `box` (x, y, width, height) that `row` tells, cropped to them: row(v) gives what
-/// tells the pixels of the frame's row v, row(v)(u) -> bool. They are asked more than once and must not read `out`.
+/// Fills `out` with the pixels of `box` (x, y, width, height) that `row` selects, cropped to them. row(v) returns a
+/// predicate for the pixels of the frame's row v, row(v)(u) -> bool. Both may be called repeatedly and must not read
+/// `out`.
 template <typename Row>
 void fill_mask_by_rows(const std::array<int, 4>& box, Row&& row, Mask& out) {
   const int begin = box[0], end = box[0] + box[2];
@@ -93,14 +96,14 @@ void fill_mask_by_rows(const std::array<int, 4>& box, Row&& row, Mask& out) {
   }
 }
 
-/// The same for pixels that `set(u, v)` tells.
+/// The same for pixels that `set(u, v)` selects.
 template <typename Predicate>
 void fill_mask(const std::array<int, 4>& box, Predicate&& set, Mask& out) {
   fill_mask_by_rows(
       box, [&set](int v) { return [&set, v](int u) { return set(u, v); }; }, out);
 }
 
-/// The part of `box` (x, y, width, height) inside a frame; width or height 0 when there is none.
+/// The part of `box` (x, y, width, height) inside a frame. Width or height is 0 if there is none.
 inline std::array<int, 4> clip_box(const std::array<int, 4>& box, int frame_width, int frame_height) {
   const auto clip = [](int begin, int length, int size) {
     const std::int64_t first = std::clamp<std::int64_t>(begin, 0, size);
@@ -112,7 +115,7 @@ inline std::array<int, 4> clip_box(const std::array<int, 4>& box, int frame_widt
   return {x, y, width, height};
 }
 
-/// The pixels of `box` that carry `id`.
+/// Fills `out` with the pixels of `box` that have this id.
 template <typename T>
 void crop_ids(ImageView<const T> ids, std::uint32_t id, const std::array<int, 4>& box, Mask& out) {
   fill_mask_by_rows(
@@ -120,8 +123,8 @@ void crop_ids(ImageView<const T> ids, std::uint32_t id, const std::array<int, 4>
       [&ids, id](int v) { return [row = ids.row(v), id](int u) { return row[u] == id; }; }, out);
 }
 
-/// The pixels of an image of its own (Grey8 or Id8, non-zero = object) whose top left corner is at (x, y) of the frame,
-/// clipped to the frame.
+/// Fills `out` with the pixels of a separate image (Grey8 or Id8, non-zero = object) whose top left corner is at (x, y)
+/// of the frame, clipped to the frame.
 /// @throws std::invalid_argument for another format.
 inline void mask_of(const ImageRef& image, int x, int y, int frame_width, int frame_height, Mask& out) {
   if (image.empty()) return out.clear();
@@ -147,15 +150,15 @@ struct IdRuns {
   };
   std::vector<Run> runs;
   std::vector<Instance> instances;
-  double box_area = 0;  ///< pixels, sum over the ids: what their masks take
+  double box_area = 0;  ///< pixels, sum over the ids: memory of their masks
 };
 
 namespace id_runs {
 
-/// Where the run of equal pixels that starts at `begin` ends.
+/// End of the run of equal pixels that starts at `begin`.
 template <typename T>
 int end_of_run(const T* row, int begin, int width) {
-  constexpr int step = sizeof(std::uint64_t) / sizeof(T);  // so many pixels are compared at once
+  constexpr int step = sizeof(std::uint64_t) / sizeof(T);  // pixels that are compared at once
   const std::uint64_t same = row[begin] * (~std::uint64_t{0} / std::numeric_limits<T>::max());
   int end = begin + 1;
   for (; end + step <= width; end += step) {
@@ -181,7 +184,7 @@ void collect(const ImageRef& ids, std::vector<IdRuns::Run>& runs) {
 
 }  // namespace id_runs
 
-/// Reads an id image, once; 0 is left out.
+/// Reads an id image in one pass. Id 0 is left out.
 /// @throws std::invalid_argument unless the format is Id8, Id16 or Id32.
 inline void find_runs(const ImageRef& ids, IdRuns& out) {
   auto& runs = out.runs;
@@ -227,7 +230,7 @@ void split_ids(const IdRuns& ids, Add&& add) {
   }
 }
 
-/// Pixels that both masks have.
+/// Number of pixels that are set in both masks.
 inline int overlap(const Mask& a, const Mask& b) {
   const int left = std::max(a.x, b.x), right = std::min(a.x + a.width(), b.x + b.width());
   const int top = std::max(a.y, b.y), bottom = std::min(a.y + a.height(), b.y + b.height());
@@ -241,13 +244,13 @@ inline int overlap(const Mask& a, const Mask& b) {
   return count;
 }
 
-/// Intersection over union; 0 when both are empty.
+/// Intersection over union; 0 if both are empty.
 inline double iou(const Mask& a, const Mask& b) {
   const int both = overlap(a, b);
   return both > 0 ? static_cast<double>(both) / (a.area + b.area - both) : 0;
 }
 
-/// Intersection over the smaller of the two areas; 0 when one is empty.
+/// Intersection over the smaller of the two areas; 0 if one is empty.
 inline double containment(const Mask& a, const Mask& b) {
   const int both = overlap(a, b);
   return both > 0 ? static_cast<double>(both) / std::min(a.area, b.area) : 0;

@@ -15,7 +15,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// An instance that was seen in one frame: by a network, or discovered by its motion.
+/// An instance in one frame, found by a network or discovered by its motion.
 struct Observation {
   std::uint32_t instance_id = 0;
   Mask mask;
@@ -34,16 +34,16 @@ class Observations {
  public:
   RecyclingList<Observation> list;
 
-  /// Another one, to be filled in.
+  /// Adds an observation for the caller to fill in.
   Observation& add() {
     Observation& o = list.push_back();
     Observation fresh;
-    std::swap(fresh.mask, o.mask);  // for its memory
+    std::swap(fresh.mask, o.mask);  // keeps its memory
     o = std::move(fresh);
     return o;
   }
 
-  /// Adds what was discovered. @param mask is left with the pixels of an old one.
+  /// Adds a discovered object. @param mask gets the pixels of an old one, so that their memory is reused.
   template <typename Camera>
   void add_discovered(Mask& mask, const Image<float>& inverse_depth, const Camera& camera) {
     Observation& o = add();
@@ -52,10 +52,10 @@ class Observations {
     o.discovered = true;
   }
 
-  /// Reads the id image, if there is one, as far as is needed to know how many instances there are; before `read`.
+  /// Reads the id image, if there is one, to count the instances. Must be called before `read`.
   /// @param field name of the masks. @param most instances that are allowed. @param width, height of the image.
-  /// @throws std::invalid_argument naming the field when there are too many, or when their boxes overlap so much that
-  /// to store and compare them would take without bound.
+  /// @throws std::invalid_argument naming the field if there are too many instances, or if their boxes overlap so much
+  /// that memory and time of their masks would be unbounded.
   void count(const char* field, const Masks& masks, int most, int width, int height) {
     runs_.instances.clear();
     runs_.box_area = 0;
@@ -76,7 +76,8 @@ class Observations {
                                                  ": is it an image of something else?");
   }
 
-  /// Adds the instances of a frame's segmentation, whichever way they came, after `count` of the same.
+  /// Adds the instances of a frame's segmentation, in whichever form it is given. Call `count` with the same masks
+  /// before.
   template <typename Camera>
   void read(const Masks& masks, const Image<float>& inverse_depth, const Camera& camera) {
     if (masks.ids.data != nullptr) {
@@ -106,7 +107,7 @@ class Observations {
   }
 
  private:
-  static constexpr double kMostBoxes = 32;  ///< areas of the image that the boxes of all instances may have
+  static constexpr double kMostBoxes = 32;  ///< largest total area of all boxes, in image areas
 
   IdRuns runs_;
   std::vector<float> values_;

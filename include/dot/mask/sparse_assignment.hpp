@@ -12,14 +12,14 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// A pair of a row and a column that may be made.
+/// An allowed pair of a row and a column.
 struct PossiblePair {
   int row = 0, column = 0;
   double cost = 0;
   int group = 0;  ///< set by `assign`
 };
 
-/// Buffers of the `assign` below, and its input.
+/// Input and buffers of the `assign` below.
 struct SparseAssignWorkspace {
   std::vector<PossiblePair> pairs;  ///< to be filled in by the caller; sorted by `assign`
   std::vector<int> partner;         ///< of each row: the result
@@ -28,11 +28,11 @@ struct SparseAssignWorkspace {
   AssignWorkspace dense;
 };
 
-/// Minimal-cost assignment where few of all pairs are possible. Rows and columns that no chain of possible pairs
-/// connects do not influence each other, so each connected group is a small problem of its own: n masks that each
-/// overlap a few others take O(n log n) instead of O(n^3).
-/// @param absent the cost of a pair that is not in workspace.pairs, more than that of any that is. Finite: leaving a
-/// row and a column without partners costs that much. Infinite: as many pairs as possible are made.
+/// Minimal-cost assignment if few of all pairs are possible. Rows and columns that are not connected by a chain of
+/// possible pairs do not influence each other. So each connected group is a small separate problem, and n masks that
+/// each overlap a few others take O(n log n) instead of O(n^3).
+/// @param absent the cost of a pair that is not in workspace.pairs. It is larger than all costs there. If finite,
+/// leaving a row and a column without partners costs so much. If infinite, as many pairs as possible are made.
 /// @return the column of each row, or -1; in `workspace`, valid until its next use.
 inline const std::vector<int>& assign(int rows, int columns, double absent, SparseAssignWorkspace& workspace) {
   auto& [pairs, partner, group, own_columns, cost, dense] = workspace;

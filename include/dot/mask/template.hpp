@@ -17,12 +17,12 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// An object's outline and surface in one frame: what the warper carries into other frames.
+/// An object's outline and surface in one frame. `warp` moves it into other frames.
 struct MaskTemplate {
   Mask mask;
   Image<float> inverse_depth;  ///< 1/m, crop of `mask`; smooth and without holes inside the mask, 0 outside
   double median = 0;           ///< 1/m, of the measured values that were used
-  bool measured = false;       ///< false: the inverse depth is a guess, against which nothing can be trimmed
+  bool measured = false;       ///< false: the inverse depth is a guess, so the mask cannot be trimmed by depth
 
   void clear() {
     mask.clear();
@@ -36,8 +36,8 @@ struct MaskTemplate {
 struct TemplateWorkspace {
   std::vector<float> values;
   Image<double> sums;     ///< integral image of the accepted inverse depths, one row and column of zeros first
-  Image<int> counts;      ///< of their number
-  std::vector<int> open;  ///< pixels of a row, x, that have found no values so far
+  Image<int> counts;      ///< integral image of their number
+  std::vector<int> open;  ///< pixels of a row, x, without enough values so far
 };
 
 /// Masks with fewer measured pixels of the object get no template.
@@ -45,8 +45,8 @@ inline constexpr int kMinTemplateDepth = 10;
 
 namespace templates {
 
-/// What was measured under a mask, 1/m, 0 where nothing was: as an image of the mask's size, and the values alone,
-/// first in `values`. @return their number.
+/// Collects the measurements under a mask, 1/m: as an image of the mask's size, 0 where not measured, and as a list in
+/// the first elements of `values`. @return their number.
 inline std::ptrdiff_t measure(const Mask& mask, ImageView<const float> inverse_depth, Image<float>& measured,
                               std::vector<float>& values) {
   const int width = mask.width(), height = mask.height();
@@ -66,7 +66,7 @@ inline std::ptrdiff_t measure(const Mask& mask, ImageView<const float> inverse_d
       const bool ok = (set[u] != 0) & (q[u] > 0) & (q[u] <= std::numeric_limits<float>::max());
       out[u] = ok ? q[u] : 0;
     }
-    for (int u = begin_u; u < end_u; ++u) {  // without branches: holes are everywhere
+    for (int u = begin_u; u < end_u; ++u) {  // without branches, because holes are frequent
       *end = out[u];
       end += out[u] > 0;
     }
@@ -107,8 +107,8 @@ inline std::ptrdiff_t integrate(double low, double high, Image<float>& measured,
   return accepted;
 }
 
-/// Gives each pixel of the mask the mean of what was integrated in the smallest window around it that has some values;
-/// the whole must have.
+/// Gives each pixel of the mask the mean of the integrated values in the smallest window around it that has enough of
+/// them. The whole mask must have enough.
 inline void average(const Mask& mask, TemplateWorkspace& workspace, Image<float>& out) {
   constexpr int first_radius = 2, min_count = 5;
   static_assert(min_count <= kMinTemplateDepth);
@@ -145,15 +145,16 @@ inline void average(const Mask& mask, TemplateWorkspace& workspace, Image<float>
 
 }  // namespace templates
 
-/// Takes an object's inverse depth under a mask whose border is ragged and shows what is behind or before the object.
+/// Makes a template with an object's inverse depth under its mask. The mask's ragged border may contain depths of
+/// surfaces behind or in front of the object.
 ///
-/// Accepted are measured values between the 20th and the 80th percentile under the mask, widened by `tolerance`
-/// (relative); percentiles farther from the median than `tolerance` belong to something else and are first moved there.
-/// All pixels of the mask, also those refused or without measurement, then get the mean of the accepted values in the
-/// smallest window around them (5x5, 9x9, 17x17, ...) that has some.
+/// Measured values between the 20th and the 80th percentile under the mask, widened by `tolerance` (relative), are
+/// accepted. Percentiles farther from the median than `tolerance` belong to another surface and are first moved to that
+/// distance. All pixels of the mask, also those refused or not measured, then get the mean of the accepted values in
+/// the smallest window around them (5x5, 9x9, 17x17, ...) that has enough of them.
 /// @param inverse_depth 1/m, of the frame, <= 0 or not finite = no measurement.
 /// @param mask may be `out.mask`.
-/// @return false when there are fewer than kMinTemplateDepth values; `out` is then empty.
+/// @return false if there are fewer than kMinTemplateDepth values; `out` is then empty.
 inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth, double tolerance,
                           TemplateWorkspace& workspace, MaskTemplate& out) {
   const std::ptrdiff_t count = templates::measure(mask, inverse_depth, out.inverse_depth, workspace.values);
@@ -169,7 +170,8 @@ inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth
   if (accepted < kMinTemplateDepth) return out.clear(), false;
   const auto below = std::count_if(begin, end, [low](float q) { return static_cast<double>(q) < low; });
   float *const middle = begin + (count - 1) / 2, *const half = begin + below + (accepted - 1) / 2;
-  std::nth_element(half < middle ? begin : middle, half, half < middle ? middle : end);  // `spread` left it half done
+  std::nth_element(half < middle ? begin : middle, half,
+                   half < middle ? middle : end);  // partly sorted already by `spread`
   out.median = static_cast<double>(*half);
   out.measured = true;
   if (&mask != &out.mask) out.mask = mask;
@@ -177,7 +179,8 @@ inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth
   return true;
 }
 
-/// An outline of one inverse depth, for a mask without measurements: at a distance it is only turned with the camera.
+/// Makes an outline of constant inverse depth, for a mask without measurements. A far outline only follows the camera's
+/// rotation.
 inline void make_flat_template(const Mask& mask, double inverse_depth, MaskTemplate& out) {
   out.mask = mask;
   out.median = inverse_depth;
@@ -188,7 +191,7 @@ inline void make_flat_template(const Mask& mask, double inverse_depth, MaskTempl
       out.inverse_depth(u, v) = mask.pixels(u, v) ? static_cast<float>(inverse_depth) : 0.0f;
 }
 
-/// make_template with buffers of its own.
+/// make_template with its own buffers.
 inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth, double tolerance, MaskTemplate& out) {
   TemplateWorkspace workspace;
   return make_template(mask, inverse_depth, tolerance, workspace, out);

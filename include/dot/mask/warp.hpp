@@ -17,14 +17,14 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// A template seen from another frame.
+/// A template as seen in another frame.
 struct WarpedMask {
   Mask mask;
   Image<float> inverse_depth;  ///< 1/m, predicted; same crop, 0 outside the mask
-  double expected_area = 0;    ///< pixels it would have in an endless image with nothing in front of it
+  double expected_area = 0;    ///< pixels that it would have in an unbounded image without occluders
   int inside_area = 0;         ///< pixels inside the image, before trimming
-  int confirmed_area = 0;      ///< of these, where the predicted depth was measured,
-  int occluded_area = 0;       ///< and where something nearer was
+  int confirmed_area = 0;      ///< of these, pixels where the predicted depth was measured
+  int occluded_area = 0;       ///< of these, pixels where something nearer was measured
 
   void clear() {
     mask.clear();
@@ -33,24 +33,24 @@ struct WarpedMask {
     inside_area = confirmed_area = occluded_area = 0;
   }
 
-  /// Whether something nearer stands where it should be, mostly. Then that is likely where nothing was measured, too.
+  /// Whether something nearer mostly covers its place. Then its pixels without measurement are likely covered, too.
   bool is_mostly_occluded() const { return 2 * confirmed_area < occluded_area; }
 };
 
 /// Buffers of `warp`.
 struct WarpWorkspace {
-  /// The template's pixels in the current frame, with a border of one pixel; all 0 where there is none.
+  /// The template's pixels in the current frame, with a border of one pixel. All are 0 where the template has no pixel.
   Image<float> u, v;     ///< pixels
   Image<float> q;        ///< 1/m
   Image<float> scale;    ///< magnification, q over the template's
   Image<float> surface;  ///< 1/m, nearest predicted surface in a box of the image, 0 = none
   Image<float> row;      ///< three rows of scratch
-  Image<int> cell;       ///< of each pixel of a row, where it is drawn: x0, y0, x1, y1, ends excluded
+  Image<int> cell;       ///< drawn cell of each pixel of a row: x0, y0, x1, y1, ends excluded
 };
 
 namespace warping {
 
-/// Pixels that one template pixel may cover to each side; bounds the work for an object right before the camera.
+/// Pixels that one template pixel may cover to each side. Bounds the work for an object close to the camera.
 inline constexpr float kMaxReach = 8;
 
 /// A box of image pixels, ends excluded.
@@ -58,9 +58,9 @@ struct Box {
   int x0, y0, x1, y1;
 };
 
-/// Where the pixels (x + i, y), i < n, of inverse depths q[i] come to lie: pixels (u, v) and the depth there over the
-/// depth here, z. Only where q[i] > 0; what is not in front of the camera (z <= 0) has no meaningful (u, v). The loop
-/// is free of branches so that compilers make SIMD code of it for simple cameras.
+/// Projects the pixels (x + i, y), i < n, of inverse depths q[i] to pixels (u, v). z is the depth there over the depth
+/// here. The results are valid only if q[i] > 0; (u, v) also needs z > 0, in front of the camera. The loop has no
+/// branches, so that compilers generate SIMD code from it for simple cameras.
 template <typename Camera>
 void map_row(const SE3f& T, const Camera& camera, int x, int y, int n, const float* q, float* u, float* v, float* z) {
   const Matrix3<float> R = T.R;
@@ -81,8 +81,8 @@ void map_row(const SE3f& T, const Camera& camera, int x, int y, int n, const flo
   }
 }
 
-/// Projects the template's pixels into `w`. Returns the part of the image that they may cover, and in `outside` the
-/// area of those whose centre is out of the image.
+/// Projects the template's pixels into `w`. Returns the part of the image that they may cover. `outside` gets the area
+/// of those whose centre is outside the image.
 template <typename Camera>
 Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camera, WarpWorkspace& w, double& outside) {
   const int width = source.mask.width(), height = source.mask.height();
@@ -101,7 +101,7 @@ Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camer
     float *q = w.q.row(y + 1) + 1, *scale = w.scale.row(y + 1) + 1, *z = w.row.row(0);
     map_row(T, camera, source.mask.x, source.mask.y + y, width, inverse_depth, u, v, z);
     for (int x = 0; x < width; ++x) {
-      // Nearer than a thousandth of its former depth is as good as behind the camera.
+      // A point nearer than a thousandth of its former depth counts as behind the camera.
       if (!(inverse_depth[x] > 0) || !(z[x] > 1e-3f) || !std::isfinite(u[x]) || !std::isfinite(v[x])) {
         u[x] = v[x] = q[x] = scale[x] = 0;
         continue;
@@ -127,8 +127,8 @@ Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camer
 }
 
 /// Adds half the larger of the distances from each moved pixel of a row to its two neighbours, `step` elements before
-/// and after; `a` is the coordinate along which they lie in the template. A neighbour whose depth differs much is on
-/// another surface; where there is none the magnification tells the size of the cell.
+/// and after. `a` is the coordinate along which they lie in the template. A neighbour whose depth differs much is on
+/// another surface and is not used. Without neighbours the magnification gives the size of the cell.
 inline void add_reach(const float* a, const float* b, const float* q, const float* scale, int step, int width,
                       float* __restrict reach_a, float* __restrict reach_b) {
   const float *a0 = a - step, *b0 = b - step, *q0 = q - step;
@@ -143,10 +143,10 @@ inline void add_reach(const float* a, const float* b, const float* q, const floa
   }
 }
 
-/// Draws the moved pixels, each as the bounding box of the cell that reaches half way to its neighbours, so that there
-/// is no crack; the nearest surface wins.
+/// Draws the moved pixels. Each is drawn as the bounding box of the cell that reaches half way to its neighbours, so
+/// that there are no cracks. The nearest surface is kept.
 inline void draw_surface(WarpWorkspace& w, const Box& box) {
-  constexpr float margin = 0.02f;  // against rounding, where cells only touch
+  constexpr float margin = 0.02f;  // against rounding errors where cells only touch
   // Makes coordinates positive, so that casts round down.
   constexpr int offset = 2 * static_cast<int>(kMaxReach) + 1;
   w.surface.resize(box.x1 - box.x0, box.y1 - box.y0);
@@ -186,7 +186,8 @@ inline bool covers(const Image<std::uint8_t>& mask, float u, float v) {
   if (!(u > -1 && v > -1 && u < static_cast<float>(mask.width()) && v < static_cast<float>(mask.height())))
     return false;
   const int x = static_cast<int>(u + 1) - 1, y = static_cast<int>(v + 1) - 1;
-  if (x >= 0 && y >= 0 && x + 1 < mask.width() && y + 1 < mask.height()) {  // mostly, and away from the outline
+  if (x >= 0 && y >= 0 && x + 1 < mask.width() &&
+      y + 1 < mask.height()) {  // the usual case; fast away from the outline
     const std::uint8_t *upper = mask.row(y) + x, *lower = mask.row(y + 1) + x;
     if ((upper[0] & upper[1] & lower[0] & lower[1]) == 255) return true;
     if ((upper[0] | upper[1] | lower[0] | lower[1]) == 0) return false;
@@ -200,18 +201,18 @@ inline bool covers(const Image<std::uint8_t>& mask, float u, float v) {
 
 }  // namespace warping
 
-/// Carries a template into the current frame, given the motion of its points.
+/// Warps a template into the current frame, given the motion of its points.
 ///
-/// The surface is drawn forwards, X = R ray + q t, q' = q / X.z, at the projection of X; nearest first. Each pixel
-/// drawn is then taken back by the inverse motion, with its q', and belongs to the object where the template's mask
-/// covers the place it came from: no cracks, and the outline as sharp as the template's. Last, pixels whose measured
-/// inverse depth differs from q' by more than `tolerance` q' are trimmed: something nearer hides the object there, or
-/// one looks past it. Pixels without measurement stay.
+/// First the surface is drawn forwards, X = R ray + q t, q' = q / X.z, at the projection of X, where the nearest
+/// surface is kept. Then each drawn pixel is moved back by the inverse motion, with its q'. It belongs to the object if
+/// the template's mask covers that place. So there are no cracks, and the outline is as sharp as the template's. Last,
+/// pixels whose measured inverse depth differs from q' by more than `tolerance` q' are trimmed, because something
+/// nearer hides the object there, or the background is visible. Pixels without measurement are kept.
 ///
-/// Template points behind the camera are left out; the mask is empty when nothing is left.
+/// Template points behind the camera are left out. The mask is empty if nothing is left.
 /// @param T_cur_template motion of the object's points from the template's camera to this one, T_c T_o composed.
 /// @param inverse_depth_cur 1/m, of the camera's size, <= 0 or not finite = no measurement; empty: nothing is trimmed.
-/// @throws std::invalid_argument when `inverse_depth_cur` has another size.
+/// @throws std::invalid_argument if `inverse_depth_cur` has another size.
 template <typename Camera>
 void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& camera,
           ImageView<const float> inverse_depth_cur, double tolerance, WarpWorkspace& workspace, WarpedMask& out) {
@@ -273,8 +274,8 @@ void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& 
   }
 }
 
-/// Takes the pixels without measurement out of a mask, which lies inside the frame. Its crop may then be wider than
-/// what is left.
+/// Removes the pixels without measurement from a mask, which lies inside the frame. Its crop may then be wider than the
+/// remaining pixels.
 /// @param inverse_depth 1/m, of the frame, <= 0 or not finite = no measurement.
 inline void drop_unmeasured(ImageView<const float> inverse_depth, Mask& mask) {
   mask.area = 0;

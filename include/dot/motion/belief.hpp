@@ -13,44 +13,43 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Belief that an object moves, over time: the log odds of *moves* against *stands*, and a Kalman filter of the
-/// velocity that the object has if it moves.
+/// Belief over time that an object moves: the log odds of *moves* against *stands*, and a Kalman filter of the velocity
+/// under *moves*.
 ///
 ///     stands: v ~ N(0, V + (0.35 v0)^2)
 ///     moves:  v ~ N(m, P + V), the filter's prediction, mixed with a fresh prior of any velocity
 ///
-/// The errors of real fits have tails: one in five is worse than its covariance says, by reflections, half hidden
-/// outlines or a slope in the depth's error. So V stands for the mixture 0.8 V + 0.2 (6 V) in both. Both carry a small
-/// share of a broad outlier class. The fresh prior is a mixture: slow and fast, in any direction, and along the
-/// direction that the fit determines least. Without the last, an object whose sideways velocity is well measured and
-/// zero would count as standing though it may well come straight towards the camera, as traffic does. What the prior
-/// credits to speeds inside |v| <= v0 is taken away again: such an object does not move. A Bayes factor of proper
-/// densities does not drift to *moves* where the velocity is poorly measured, which a ratio of maximum likelihoods
-/// does.
+/// The errors of real fits have heavy tails. One fit in five is worse than its covariance, because of reflections, half
+/// hidden outlines or a slope in the depth's error. So V stands for the mixture 0.8 V + 0.2 (6 V) in both hypotheses.
+/// Both include a small share of a broad outlier class. The fresh prior is a mixture: slow and fast, in any direction,
+/// and along the direction that the fit determines least. Without the last part, an object whose sideways velocity is
+/// precisely zero would count as standing although it may come straight towards the camera, as traffic does. The
+/// prior's share of speeds |v| <= v0 is removed, because such an object does not move. If the velocity is poorly
+/// measured, a ratio of maximum likelihoods drifts to *moves*. A Bayes factor of proper densities does not.
 ///
-/// Time counts, not frames. Fits of frames that follow each other closely share most of their errors: those of
-/// kIndependentSeconds say together what one says, so that the same second gives the same belief at any frame rate.
-/// Nothing that is not finite changes a belief.
+/// The belief depends on time, not on the number of frames. Fits of frames in close succession share most of their
+/// errors. So the fits of kIndependentSeconds together count as one, and the belief is the same at any frame rate.
+/// Values that are not finite do not change a belief.
 struct Belief {
-  static constexpr double kIndependentSeconds = 0.1;   ///< after which the errors of two fits are independent
-  static constexpr double kAccelerationSeconds = 0.1;  ///< for which an acceleration lasts
-  static constexpr double kDrift = 0.35;               ///< of v0: sigma of the velocity of what stands
-  static constexpr double kFreshShare = 0.1;           ///< of a new velocity, beside the filter's prediction
-  static constexpr double kFastVariance = 25;          ///< of motorway speeds, over that of ordinary ones
-  static constexpr double kOutlierVariance = 36;       ///< of a wrong fit's velocity, over that of ordinary speeds
+  static constexpr double kIndependentSeconds = 0.1;   ///< from here on errors of two fits are independent
+  static constexpr double kAccelerationSeconds = 0.1;  ///< duration of an acceleration
+  static constexpr double kDrift = 0.35;               ///< share of v0: velocity sigma under *stands*
+  static constexpr double kFreshShare = 0.1;           ///< share of a new velocity beside the prediction
+  static constexpr double kFastVariance = 25;          ///< of motorway speeds, over ordinary speeds
+  static constexpr double kOutlierVariance = 36;       ///< of a wrong fit's velocity, over ordinary speeds
 
   double log_odds = 0;
-  Vector3<double> velocity = Vector3<double>::Zero();    ///< if it moves; m/s, axes of the newest camera
+  Vector3<double> velocity = Vector3<double>::Zero();    ///< under *moves*; m/s, axes of the newest camera
   Matrix3<double> covariance = Matrix3<double>::Zero();  ///< zero: no filter yet
   VelocityTrust trust;                                   ///< in the filter
 
   double p_moving() const { return 1 / (1 + std::exp(-log_odds)); }
   bool has_velocity() const { return covariance(0, 0) > 0; }
 
-  /// Lets time pass: things start and stop, velocities change, and the camera turned by R_cur_prev.
+  /// Predicts over `dt` seconds: objects start and stop, velocities change, and the camera turned by R_cur_prev.
   void predict(double dt, const Matrix3<double>& R_cur_prev, const VelocitySettings& s);
 
-  /// Weighs a velocity in the axes of the belief. @param v0 m/s, of the object's range.
+  /// Updates by a velocity in the axes of the belief. @param v0 m/s, for the object's range.
   void update(const MotionEstimate& e, double v0, const VelocitySettings& s);
 
  private:

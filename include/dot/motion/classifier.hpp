@@ -10,22 +10,22 @@
 
 /// @file
 /// Classifiers: policies that turn fits into states. A classifier is a struct with a nested `Memory`, default
-/// constructible and copyable, one of which the pipeline keeps for each object, and
+/// constructible and copyable, and the operator below. The pipeline keeps one `Memory` for each object.
 ///
 ///     Decision operator()(Memory&, const MotionEstimate* fit, const Matrix3<double>& R_cur_prev, double dt) const;
 ///
-/// called once a frame for each object, with null where there was no fit. Velocities of the fit are in the previous
-/// camera's axes, those of the decision in the current one's. An object that its first mask shows now is fitted to the
-/// frame before and classified with that in the current camera's axes: R_cur_prev = 1 and dt = 0.
+/// The operator is called once a frame for each object, with null if there was no fit. Velocities of the fit are in the
+/// previous camera's axes, those of the decision in the current one's. An object whose first mask is of this frame is
+/// fitted to the frame before. That fit is given in the current camera's axes, with R_cur_prev = 1 and dt = 0.
 
 DOT_BEGIN_NAMESPACE
 
-/// What a classifier says of an object.
+/// A classifier's decision about an object.
 struct Decision {
   State state = State::NotObservable;
   double p_moving = 0.5;
   Vector3<double> velocity = Vector3<double>::Zero();    ///< fused, m/s, axes of the current camera
-  Matrix3<double> covariance = Matrix3<double>::Zero();  ///< zero where there is none
+  Matrix3<double> covariance = Matrix3<double>::Zero();  ///< zero if there is no velocity
 };
 
 namespace classifier_concept {
@@ -43,7 +43,8 @@ inline constexpr bool holds_v<
 template <typename T>
 inline constexpr bool is_classifier_v = classifier_concept::holds_v<T>;
 
-/// Default: is the centroid faster than v0? Belief over time, see Belief; won at `decide`, kept down to `keep`.
+/// Default: tests whether the centroid is faster than v0, by a belief over time, see Belief. A state is reached at the
+/// probability `decide` and kept down to `keep`.
 struct VelocityClassifier {
   VelocitySettings settings;
 
@@ -52,7 +53,7 @@ struct VelocityClassifier {
     State state = State::NotObservable;
   };
 
-  /// v0 of an object at this range, m/s: near things count as moving at lower speeds.
+  /// v0 of an object at this range, m/s. Near objects count as moving at lower speeds.
   double v0(double range) const { return std::max(1e-3, std::min(settings.v0, settings.v0_per_metre * range)); }
 
   Decision operator()(Memory& m, const MotionEstimate* fit, const Matrix3<double>& R_cur_prev, double dt) const;

@@ -25,7 +25,7 @@ template <typename Camera>
 DynamicDisparity dynamic_disparity(const PointSet& points, const Camera& camera, const SE3d& T_c, const SE3d& T_o,
                                    const Vector3<double>& centroid, const Matrix6<double>& sigma) {
   DynamicDisparity out;
-  std::array<double, 128> distances;  // of many points so many tell
+  std::array<double, 128> distances;  // so many points are enough
   std::size_t n = 0;
   double noise = 0;
   const Vector3<double> c = T_o * centroid;

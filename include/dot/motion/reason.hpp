@@ -9,22 +9,22 @@ namespace dot {
 /// Why an object has no motion estimate in this frame (or was dropped after it).
 enum class Reason : std::uint8_t {
   None,              ///< it has one
-  New,               ///< first seen in this frame, and the frame before tells no motion
+  New,               ///< first seen in this frame, and the frame before gives no motion
   NoReference,       ///< the frames before this one were dropped (gap in time, or reset)
   TooFewPixels,      ///< its mask is too small
   TooLittleDepth,    ///< its mask has too little valid depth
   TooLittleTexture,  ///< too few pixels with a gradient
   LeavesImage,       ///< too small a part of it stays inside the image
-  Occluded,          ///< nearer things hide too much of it
+  Occluded,          ///< nearer objects hide too much of it
   Diverged,          ///< the alignment did not converge
   LowCorrelation,    ///< reference and tracked intensities do not correlate (phi)
   TooFewInliers,     ///< too few points agree with the fitted line between intensities
   DepthDisagrees,    ///< the motion found contradicts the measured depth
   Implausible,       ///< the motion found is faster than Options::object.max_speed
-  Hidden,            ///< neither its prediction nor a mask shows it in this frame
+  Hidden,            ///< it is neither predicted to be visible nor shown by a mask in this frame
   CameraLost,        ///< no camera motion, hence no object motion
   Lost,              ///< not seen for longer than Options::mask.keep_seconds: dropped after this frame
-  TooManyObjects     ///< not among the Options::object.max_fitted largest: carried on at its last velocity
+  TooManyObjects     ///< not among the Options::object.max_fitted largest: predicted at its last velocity
 };
 
 /// Name of a reason, lower case with underscores; empty for None.

@@ -13,29 +13,29 @@ enum class ClassifierKind : std::uint8_t {
   EntropyLiteral  ///< the paper's rule as printed, H > H_min; for comparison
 };
 
-/// When an object's motion is accepted, and the reach of its search.
+/// The conditions for accepting an object's motion, and the range of its search.
 struct ObjectSettings {
   int min_points = 30;             ///< inside the image
   double min_visible = 0.25;       ///< share of the object's points inside the image
   double min_phi = 0.85;           ///< Pearson correlation
-  double min_phi_expected = 0.75;  ///< of a fit that agrees with the velocity known before; no evidence of its own
+  double min_phi_expected = 0.75;  ///< of a fit that agrees with the known velocity; below min_phi it is no evidence
   int min_inliers = 20;
   double min_inlier_share = 0.4;     ///< of the visible points
   double min_depth_agreement = 0.5;  ///< share of the points that the measured depth confirms
   double max_speed = 70;             ///< m/s
   double max_acceleration = 12;      ///< m/s^2
-  double search_speed = 30;          ///< m/s: reach of the velocity hypotheses of a new object
+  double search_speed = 30;          ///< m/s: largest velocity hypothesis of a new object
   double reference_seconds = 0.4;    ///< age of the oldest reference used for slow objects
-  int max_fitted = 100;              ///< objects whose motion is estimated, the largest; others are carried on
+  int max_fitted = 100;              ///< most objects whose motion is estimated, the largest; others are predicted
 };
 
-/// Priors of an object's motion between frames; rates per second. Generic: nothing about roads.
+/// Priors of an object's motion between frames, as rates per second. Generic: roads are not assumed.
 struct MotionPriorSettings {
   double rotation = 0.35;       ///< rad/s, 1 sigma, any axis
   double velocity = 40;         ///< m/s, 1 sigma, any axis, about standing still
   double gain = 0.1;            ///< 1 sigma of an object's gain about the camera's
   double offset = 10;           ///< grey values, 1 sigma of an object's offset about the camera's
-  bool ground_vehicle = false;  ///< turn about the up vector only, move in the ground plane
+  bool ground_vehicle = false;  ///< rotate about the up vector only, move in the ground plane
   double up_x = 0;              ///< up, camera axes (used with ground_vehicle)
   double up_y = -1;
   double up_z = 0;
@@ -43,20 +43,20 @@ struct MotionPriorSettings {
 
 /// The velocity test.
 struct VelocitySettings {
-  double v0 = 0.5;                ///< m/s: what counts as moving
+  double v0 = 0.5;                ///< m/s: faster objects count as moving
   double v0_per_metre = 0.05;     ///< 1/s: v0 of near objects is this times their range
   double photometric_scale = 3;   ///< inflation of Sigma_x: neighbouring residuals are correlated
   double floor = 0.03;            ///< m/s per axis, never more certain
-  double decide = 0.90;           ///< probability at which a state is won
+  double decide = 0.90;           ///< probability at which a state is reached
   double keep = 0.80;             ///< probability down to which it is kept
-  double switch_rate = 0.04;      ///< 1/s: how often things start or stop moving
-  double prior_speed = 6;         ///< m/s per axis: how fast movers are, far from v0
+  double switch_rate = 0.04;      ///< 1/s: how often objects start or stop moving
+  double prior_speed = 6;         ///< m/s per axis, sigma: speed of movers that are far enough for the full v0
   double acceleration = 3;        ///< m/s^2, of movers
-  double tail_share = 0.2;        ///< share of fits that are worse than their covariance says,
-  double tail_variance = 6;       ///< by this factor
+  double tail_share = 0.2;        ///< share of fits that are worse than their covariance
+  double tail_variance = 6;       ///< variance of these, factor on their covariance
   double outliers = 0.02;         ///< share of fits that are wrong
-  double max_evidence_rate = 40;  ///< 1/s, log odds that time can bring
-  double max_evidence = 4;        ///< log odds that one fit can bring: it may be wrong as a whole
+  double max_evidence_rate = 40;  ///< 1/s, log odds gained per time at most
+  double max_evidence = 4;        ///< log odds gained by one fit at most, because it may be wrong
   double max_log_odds = 6;
 };
 

@@ -11,10 +11,10 @@ enum class State : std::uint8_t {
   Background = 0,
   Static = 1,
   Moving = 2,
-  NotObservable = 3  ///< the data does not decide between the two
+  NotObservable = 3  ///< the data does not decide between Static and Moving
 };
 
-/// Name of a state as in the runner's files.
+/// Name of a state, as in the runner's files.
 constexpr const char* to_string(State state) {
   constexpr const char* names[] = {"background", "static", "moving", "unobservable"};
   return static_cast<int>(state) < 4 ? names[static_cast<int>(state)] : "?";

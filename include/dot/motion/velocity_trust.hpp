@@ -6,19 +6,19 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Whether a velocity is known: once fits in a row agreed on it for a while, and until others in a row contradict it
-/// for as long. One wrong fit is no reason to give it up, and a wrong velocity must not shut out those that are right
-/// for good.
+/// Whether a velocity is known. It becomes known when consecutive fits agree on it for a while, and unknown when
+/// consecutive fits contradict it for as long. So one wrong fit does not discard it, and a wrong velocity does not
+/// refuse correct fits forever.
 class VelocityTrust {
  public:
-  /// Seconds from the first fit of a row to the last: three fits at 10 Hz, as long at any other rate.
+  /// Seconds from the first fit of a row to the last: three fits at 10 Hz, the same time at any other rate.
   static constexpr double kSeconds = 0.15;
-  static constexpr int kFits = 2;  ///< of a row, at least
+  static constexpr int kFits = 2;  ///< least number in a row
 
   bool known() const { return known_; }
 
-  /// A fit that was accepted. @param dt seconds since the frame before.
-  /// @return whether the velocity follows it; if not, it goes on as it was.
+  /// Counts an accepted fit. @param dt seconds since the frame before.
+  /// @return whether the fit may update the velocity. If not, the velocity is kept.
   bool accept(bool agrees, double dt) {
     if (!agrees && known_) refuse(dt);
     if (!agrees && known_) return false;
@@ -28,7 +28,7 @@ class VelocityTrust {
     return true;
   }
 
-  /// A fit that was refused for contradicting it. @param dt seconds since the frame before.
+  /// Counts a fit that was refused because it contradicts the velocity. @param dt seconds since the frame before.
   void refuse(double dt) {
     contradicting_ = contradicting_.next(dt);
     if (!contradicting_.lasts()) return;
@@ -37,7 +37,7 @@ class VelocityTrust {
   }
 
  private:
-  /// Fits of one kind in a row.
+  /// Consecutive fits of one kind.
   struct Row {
     int fits = 0;
     double seconds = 0;  ///< since the first

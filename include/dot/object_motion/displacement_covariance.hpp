@@ -11,21 +11,21 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// V dt^2: photometric + depth errors that the object's points share, propagated through the fit (constant over the
-/// object, linear over it in u and v, and changing between the frames) + the camera's. An object whose measured depth
-/// scatters more about the prediction than the noise says has worse depth than the background that taught it: its
-/// depth errors are scaled by that.
-/// @param moved the centroid, where the fit moves it, axes of the reference's camera.
+/// V dt^2, covariance of the displacement: photometric part + depth errors that the object's points share, propagated
+/// through the fit (constant over the object, linear over it in u and v, and changing between the frames) + the
+/// camera's part. The noise model was learnt from the background. Where the object's measured depth scatters more
+/// about the prediction than the model says, its depth errors are scaled up by that excess.
+/// @param moved the centroid after the fit's motion, axes of the reference's camera.
 template <typename Noise>
 Matrix3<double> displacement_covariance(const ReferencePair& pair, const Alignment& a, const Vector3<double>& moved,
                                         const VelocitySettings& settings, const Noise& noise) {
-  constexpr double kSteadySeconds = 0.25;  // for which depth errors change less than they are large
-  constexpr double kScatterOfFit = 1.2;    // of measured depths about a good fit, over the noise of one pixel
-  constexpr double kMostExcess = 4;        // times as noisy as the background that an object's depth may be
-  // Variances of the modes, by which standing objects are most likely (docs/decisions.md, covariance of the velocity):
-  // paint and glass have worse depth than the background.
+  constexpr double kSteadySeconds = 0.25;  // up to here depth errors change less than their size
+  constexpr double kScatterOfFit = 1.2;    // scatter of depths about a good fit, over one pixel's noise
+  constexpr double kMostExcess = 4;        // largest factor of an object's depth noise over the background's
+  // Variances of the modes, fitted to standing objects by maximum likelihood (docs/decisions.md, covariance of the
+  // velocity). Paint and glass have worse depth than the background.
   constexpr double kConstantMode = 1.6, kSlopeModes = 0.06;  // of the shared variance
-  constexpr int kIndependentPixels = 60;                     // of an area that say what one without correlation would
+  constexpr int kIndependentPixels = 60;                     // of an area that carry as much as one uncorrelated pixel
   const ObjectReference& reference = pair.reference;
   const double q = 1 / std::max(0.05, reference.centroid.z());
   const double excess = std::clamp(a.depth_scatter / (kScatterOfFit * noise.pixel_sigma(q)), 1.0, kMostExcess);

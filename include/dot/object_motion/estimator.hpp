@@ -17,15 +17,15 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Motion T_o of an object with T_c fixed (paper, section 3.3, eq. 4-5), about its centroid, with a weak depth residual
-/// beside the photometric one, chosen among several starts, checked, and with an honest covariance of its velocity.
+/// Estimates the motion T_o of an object about its centroid, with T_c fixed (paper, section 3.3, eq. 4-5). A weak depth
+/// residual is added to the photometric one. The fit starts from several places, is checked, and gives a consistent
+/// covariance of the velocity.
 struct ObjectMotionEstimator {
   ObjectSettings settings;
   MotionPriorSettings prior;
   VelocitySettings velocity;
 
-  /// @param starts of T_o, in the reference camera's axes, the most trusted first; none where all lie behind the
-  /// camera.
+  /// @param starts of T_o, in the reference camera's axes, the most trusted first; empty if all lie behind the camera.
   template <typename Camera, typename Noise, typename Aligner>
   ObjectFit fit(const ReferencePair& pair, const ObjectScene<Camera>& scene, const std::vector<SE3d>& starts,
                 const KnownVelocity& known, const Noise& noise, Aligner& aligner, MinimaWorkspace& workspace) const {
@@ -40,7 +40,7 @@ struct ObjectMotionEstimator {
     int top = std::min(reference.points.levels, scene.image.size()) - 1;
     while (top > 0 && std::sqrt(1.0 * reference.area) / (1 << top) < kLeastSize) --top;
     out = best_minimum(pair, problem, starts, starts.size(), top, known, noise, aligner, workspace);
-    // Coarse levels mix an object with what hides it and may lead away from where it is known to be.
+    // Coarse levels mix an object with its occluder. They may lead the fit away from the known place.
     if (!out.ok() && known.seconds > 0 && top > kNearLevel && !starts.empty()) {
       const ObjectFit near = best_minimum(pair, problem, starts, 1, kNearLevel, known, noise, aligner, workspace);
       if (near.ok()) out = near;
@@ -48,7 +48,7 @@ struct ObjectMotionEstimator {
     return out;
   }
 
-  /// Adds to `starts`, of many velocities, those that fit best on a coarse level; for an object without history.
+  /// Tries many velocities on a coarse level and adds the best to `starts`. For an object without history.
   template <typename Camera, typename Noise, typename Aligner>
   void search(const ReferencePair& pair, const ObjectScene<Camera>& scene, const Noise& noise, Aligner& aligner,
               MinimaWorkspace& workspace, std::vector<SE3d>& starts) const {
@@ -58,14 +58,14 @@ struct ObjectMotionEstimator {
   }
 
  private:
-  static constexpr int kNearLevel = 2;       ///< from which a fit starts where it is not to go far
-  static constexpr double kLeastSize = 5;    ///< pixels of a level on which an object still has some structure
+  static constexpr int kNearLevel = 2;       ///< first level of a fit that must stay near its start
+  static constexpr double kLeastSize = 5;    ///< pixels of a level; a smaller object has no structure there
   static constexpr double kLeastSeen = 0.3;  ///< share of the points inside the image that must be seen
   static constexpr double kFirstsMargin =
-      0.98;                                 ///< factor on the cost of the first start: equal minima do not alternate
-  static constexpr std::size_t kTried = 4;  ///< minima that are checked
+      0.98;  ///< factor on the cost of the first start, so that equal minima do not alternate
+  static constexpr std::size_t kTried = 4;  ///< number of minima that are checked
 
-  /// Aligned from the first `count` starts, level `top` first: of the minima found the best that holds.
+  /// Aligns from the first `count` starts, level `top` first, and returns the best minimum that passes the checks.
   template <typename Camera, typename Noise, typename Aligner>
   ObjectFit best_minimum(const ReferencePair& pair, const AlignProblem<Camera>& problem,
                          const std::vector<SE3d>& starts, std::size_t count, int top, const KnownVelocity& known,
@@ -79,7 +79,7 @@ struct ObjectMotionEstimator {
       minima.add(problem, aligner.align(problem, {problem.T_outer * starts[i], pair.camera.gain, pair.camera.offset},
                                         top, fine));
     std::vector<Alignment>& candidates = minima.found;
-    // Few points may agree by chance, and better than any others.
+    // A few points may agree by chance, and then better than any other minimum.
     const auto sees_few = [&](const Alignment& a) {
       return a.seen < settings.min_inliers || a.seen < kLeastSeen * settings.min_visible * points;
     };
@@ -87,7 +87,7 @@ struct ObjectMotionEstimator {
     if (fine > 0)
       for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);
     rank(problem, candidates, aligner, workspace);
-    // The best minimum that holds before the checks; the best of all says why there is none.
+    // Takes the best minimum that passes the checks. If none does, the best of all gives the reason.
     out.reason = Reason::LeavesImage;
     const auto& order = workspace.ranked;
     for (std::size_t i = 0; i < std::min(order.size(), kTried); ++i) {
@@ -101,7 +101,7 @@ struct ObjectMotionEstimator {
     return out;
   }
 
-  /// Sets workspace.ranked, the best first. A later start must win by a margin.
+  /// Sets workspace.ranked, the best first. A later start must be better than the first by a margin.
   template <typename Camera, typename Aligner>
   void rank(const AlignProblem<Camera>& problem, const std::vector<Alignment>& candidates, Aligner& aligner,
             MinimaWorkspace& workspace) const {

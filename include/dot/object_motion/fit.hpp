@@ -7,7 +7,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// One object's motion over one interval, with the reason where there is none.
+/// One object's motion over one interval, or the reason why there is none.
 struct ObjectFit {
   Reason reason = Reason::Diverged;
   SE3d T_o;                                         ///< reference camera's axes
@@ -18,7 +18,7 @@ struct ObjectFit {
 
   bool ok() const { return reason == Reason::None; }
 
-  /// The same motion forwards, of a fit to an image taken *before* the reference; in the axes of that image's camera.
+  /// For a fit to an image taken *before* the reference: the same motion forwards, in the axes of that image's camera.
   /// @param C camera motion from the reference to that image.
   ObjectFit reversed(const SE3d& C) const;
 };

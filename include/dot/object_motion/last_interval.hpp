@@ -8,23 +8,24 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Variance per axis of what the velocity over the last `dt` may differ from that over the whole `span` before: it
-/// may have changed since the middle of it, of traffic mostly by a third of `acceleration`, m/s^2.
+/// Variance per axis of the difference between the velocity over the last `dt` and that over the whole `span`. The
+/// velocity may have changed since the middle of the span, for traffic mostly by a third of `acceleration`, m/s^2.
 inline double variance_of_change(double span, double dt, double acceleration) {
   constexpr double kMostly = 0.3;  // share of the acceleration
   const double changed = 0.5 * (kMostly * acceleration) * (span - dt);
   return changed * changed;
 }
 
-/// The share of the last frame interval, at constant velocity, of a fit to an older reference, in the axes of the
-/// previous camera.
+/// Reduces a fit to an older reference to its share of the last frame interval, at constant velocity. The result is in
+/// the axes of the previous camera.
 /// @param T_prev_ref camera motion from the reference to the previous frame; @param dt seconds since that frame.
 /// @param acceleration m/s^2.
 DOT_INLINE ObjectFit over_last_interval(const ObjectFit& fit, const SE3d& T_prev_ref, double dt, double acceleration);
 
-/// A motion that turns, about a point, no further than its fit is sure of. The fit weighs `motion_prior.rotation`
-/// against residuals that it takes for independent; with the covariance S that they really give and the prior P, the
-/// mean of both turns by P (P + S)^-1 w. Outlines need it: turned to and fro by the noise, the far ones fray.
+/// Shrinks the rotation of a motion, about a point, to what its fit is certain of. The fit weighs
+/// `motion_prior.rotation` against residuals that it assumes to be independent. They are
+/// correlated, so the covariance S of the rotation w is larger. With S and the prior P, the mean of prior and fit turns
+/// by P (P + S)^-1 w. Noise of the rotation would distort far outlines.
 /// @param T_o in the axes of the fit. @param centre the point, before it moves. @param dt seconds.
 DOT_INLINE SE3d shrink_rotation(const SE3d& T_o, const ObjectFit& fit, const Vector3<double>& centre, double dt,
                                 double photometric_scale, const MotionPriorSettings& prior);

@@ -15,26 +15,26 @@ DOT_BEGIN_NAMESPACE
 /// One object's motion over the last interval. Motions are in the axes of the previous frame's camera.
 struct ObjectStep {
   ObjectFit fit;            ///< of the interval, or the reason why there is none
-  SE3d T_o;                 ///< what carries the points: fit and known velocity, else as predicted
-  SE3d T_o_outline;         ///< what carries the outline: the same without the noise of its rotation
-  MotionEstimate evidence;  ///< of the reference that tells most, if there is one
+  SE3d T_o;                 ///< moves the points: fit and known velocity, else the prediction
+  SE3d T_o_outline;         ///< moves the outline: the same without the noise of its rotation
+  MotionEstimate evidence;  ///< of the most precise reference, if there is one
   bool has_evidence = false;
-  /// Timestamp after which it was not where it was carried to: it was found by a reference that is older.
+  /// Timestamp since which its predicted places were wrong. It is that of the older reference that found it again.
   double astray_since = std::numeric_limits<double>::infinity();
 };
 
-/// What is known of one object's motion so far. `now` is the newest frame that it was followed to.
+/// One object's motion so far. `now` is the newest frame that the object was followed to.
 struct ObjectMotion {
   RecyclingList<ObjectReference> references;  ///< newest first
   Reason no_reference = Reason::NoReference;  ///< why the last frame added none
-  ObjectPath path;                            ///< since the frames whose masks may still come
+  ObjectPath path;                            ///< since the frames whose masks may still arrive
   SE3d T_o_now;                               ///< last accepted T_o, in the axes of `now`
-  bool has_T_o_now = false;                   ///< that is of the last interval
+  bool has_T_o_now = false;                   ///< whether `T_o_now` is of the last interval
   Place position_now;                         ///< of its middle
   double size = 0;                            ///< metres: root of the largest area that it has shown
-  ObjectStep step;                            ///< that led to `now`
+  ObjectStep step;                            ///< the step that led to `now`
 
-  /// The references tell nothing any more.
+  /// Drops all references, because they are no longer valid.
   void forget_references(Reason reason) {
     references.clear();
     no_reference = reason;
@@ -47,10 +47,10 @@ struct ObjectMotion {
       references.pop_back();
   }
 
-  /// Takes another fit of the last interval, after `advance`: what was carried here by `step.T_o` is carried by that.
+  /// Replaces the fit of the last interval after `advance`. All that `step.T_o` moved is moved by the new fit instead.
   void correct(const ObjectFit& fit, const SE3d& T_cur_prev);
 
-  /// Carries all into the current frame by `step`. @param T_o_outline what carries the outline.
+  /// Moves everything into the current frame by `step`. @param T_o_outline motion of the outline.
   void advance(const CameraStep& camera, const SE3d& T_o_outline);
 };
 

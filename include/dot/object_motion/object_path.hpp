@@ -9,32 +9,32 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// How an object moved since past frames, apart from the camera: what takes a mask of one of them to the present.
+/// An object's own motion since past frames, without the camera's. It moves a mask of a past frame to the present.
 ///
-/// M_t is in the newest camera's axes: a point that would be at X if it had stood since t is at M_t X. A new frame
-/// makes it T_c T_o M_t T_c^-1.
+/// M_t is in the newest camera's axes. A point that would be at X if it had stood still since t is at M_t X. A new
+/// frame changes M_t to T_c T_o M_t T_c^-1.
 class ObjectPath {
  public:
   void clear() { past_.clear(); }
 
-  /// The last interval: camera motion and the object's, axes of the previous camera.
+  /// Appends the last interval: the camera's motion T_c and the object's T_o, axes of the previous camera.
   void advance(const SE3d& T_c, const SE3d& T_o) {
     for (Past& p : past_) p.M = T_c * T_o * p.M * T_c.inverse();
   }
 
-  /// Starts the motion since the newest frame. @param oldest what is before it is forgotten. Both in seconds.
+  /// Starts the motion since the newest frame. @param oldest earlier frames are forgotten. Both in seconds.
   void add(double timestamp, double oldest) {
     past_.push_back({timestamp, {}});
     past_.erase(past_.begin(),
                 std::find_if(past_.begin(), past_.end(), [oldest](const Past& p) { return !(p.timestamp < oldest); }));
   }
 
-  /// Forgets where it was carried to after this time: it was not found there.
+  /// Forgets the path after this time, because the object was not found where it leads.
   void forget_after(double timestamp) {
     while (!past_.empty() && past_.back().timestamp > timestamp) past_.pop_back();
   }
 
-  /// M of a past frame. At a time that was forgotten, or before the object was known: at constant velocity.
+  /// M of a past frame. Assumes constant velocity for times that were forgotten or before the object was known.
   /// @param now seconds, of the newest frame. @param velocity m/s, newest camera's axes.
   SE3d since(double then, double now, const Vector3<double>& velocity) const {
     Past next{now, {}};

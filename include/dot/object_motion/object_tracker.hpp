@@ -17,22 +17,22 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// The last interval: its two frames, and the camera's motion between them.
+/// The last interval: its two frames and the camera's motion between them.
 struct Interval {
-  const FrameData* prev = nullptr;  ///< for `align_backwards` alone; null where there is none, and in a replay
+  const FrameData* prev = nullptr;  ///< used by `align_backwards` only; null if there is none, and in a replay
   const FrameData& cur;
   const CameraStep& camera;
 };
 
-/// Where masks show an object now, for its motion to start from.
+/// The places where masks show an object now. The fit of its motion may start there.
 struct ObservedPlaces {
-  const Observation* own = nullptr;   ///< the one that was assigned to it
-  const Observations* all = nullptr;  ///< without that: those of them that are assigned to no track may be it
-  bool discovered = false;            ///< of these, the discovered ones; else the network's
+  const Observation* own = nullptr;   ///< the mask that was assigned to it
+  const Observations* all = nullptr;  ///< without `own`: the masks without a track may show it
+  bool discovered = false;            ///< whether to use the discovered ones of `all`; else the network's
 };
 
-/// Follows one object from frame to frame (paper, section 3.3, Algorithm 1). It keeps nothing: what is known of the
-/// object comes in, its motion over the last interval goes out.
+/// Follows one object from frame to frame (paper, section 3.3, Algorithm 1). It keeps no state: the caller passes what
+/// is known of the object and gets its motion over the last interval.
 template <typename Camera, typename Noise, typename Aligner>
 struct ObjectTracker {
   using Workspace = ObjectWorkspace<Aligner>;
@@ -44,38 +44,37 @@ struct ObjectTracker {
   DepthSource depth_source;
   const kernel::Kernels& kernels;
 
-  /// T_o over the last interval, and the evidence of the reference that tells most about the motion: a slow object
-  /// shows only against an older frame.
+  /// Finds T_o over the last interval, and the evidence of the reference that is most precise about the motion. The
+  /// motion of a slow object is visible only against an older frame.
   /// @param motion, belief up to the previous frame. @param nearer non-zero where nearer objects were found already.
   ObjectStep follow(const ObjectMotion& motion, const ObjectBelief& belief, const ObservedPlaces& places,
                     const Interval& interval, ImageView<const std::uint8_t> nearer, Workspace& workspace) const;
 
-  /// The motion from the current frame back to the one before, for objects to which no earlier mask leads: of a new one
-  /// masks begin here, its pixels mostly do not; of one that goes behind something nearly all that earlier masks show
-  /// is hidden now, but what this one shows was in view.
+  /// Aligns the current frame to the one before, for objects that no earlier mask explains. The masks of a new object
+  /// begin here, but its pixels were mostly in view before. When an object goes behind something, nearly all that
+  /// earlier masks show is hidden now, but the part in this mask was in view before.
   /// @param motion, belief up to the current frame.
-  /// @return the fit, forwards, in the axes of the previous frame's camera; nothing where there is none.
+  /// @return the fit, forwards, in the axes of the previous frame's camera; nothing if there is none.
   std::optional<ObjectFit> align_backwards(const ObjectMotion& motion, const ObjectBelief& belief,
                                            const Observation& observed, const Interval& interval,
                                            Workspace& workspace) const;
 
-  /// Fills in what a mask shows of an object. @param centre of the mask.
-  /// @return why that is not enough, None if it is.
+  /// Fills a reference with the part of an object that a mask shows. @param centre of the mask.
+  /// @return why the mask is not enough, or None if it is.
   Reason make_reference(const FrameData& frame, const Mask& mask, const Vector3<double>& centre, Workspace& workspace,
                         ObjectReference& r) const;
 
-  /// Adds the current frame to the references, and where the object's middle is. @param mask what is visible of it, or
-  /// null.
+  /// Adds the current frame to the references and updates the object's middle. @param mask its visible part, or null.
   void remember(const FrameData& cur, const Mask* mask, Workspace& workspace, ObjectMotion& motion) const;
 
  private:
-  static constexpr std::size_t kRecent = 3;                      ///< references that are tried for the last interval
-  static constexpr int kOlder = 3;                               ///< that may tell more
-  static constexpr std::ptrdiff_t kNearestMasks = 3;             ///< without a track, each of which costs an alignment
-  static constexpr double kNearest = 0.05;                       ///< metres before the camera
-  static constexpr double kSamePixels = 0.5, kSameDepth = 0.01;  ///< within which two starts are one; share of depth
-  static constexpr double kLeastSize = 0.3, kMostSize = 3.3;     ///< of a mask's area, over that of the reference
-  static constexpr double kWorthwhile = 3;  ///< times the least variance of an older fit, which it mostly reaches
+  static constexpr std::size_t kRecent = 3;           ///< references that are tried for the last interval
+  static constexpr int kOlder = 3;                    ///< older references that may be more precise
+  static constexpr std::ptrdiff_t kNearestMasks = 3;  ///< tried masks without a track; each costs an alignment
+  static constexpr double kNearest = 0.05;            ///< metres before the camera
+  static constexpr double kSamePixels = 0.5, kSameDepth = 0.01;  ///< closer starts are the same; share of depth
+  static constexpr double kLeastSize = 0.3, kMostSize = 3.3;     ///< ratio of a mask's area to the reference's
+  static constexpr double kWorthwhile = 3;  ///< usual variance of an older fit, over the least possible one
 
   struct Following;
 

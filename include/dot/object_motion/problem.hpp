@@ -11,7 +11,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// What a frame offers to an object's fit.
+/// The data of a frame that an object's fit uses.
 template <typename Camera>
 struct ObjectScene {
   const Pyramid& image;
@@ -20,7 +20,7 @@ struct ObjectScene {
   ImageView<const std::uint8_t> occluders;  ///< non-zero where a nearer object was found already
 };
 
-/// Information of the twist of T_o about zero over `dt` seconds.
+/// Information matrix of the prior on the twist of T_o, which has mean zero, over `dt` seconds.
 DOT_INLINE Matrix6<double> prior_information(const MotionPriorSettings& prior, double dt);
 
 /// The alignment of an object's reference to a frame: T_o with the camera's motion fixed (paper, section 3.3, eq. 4-5).
@@ -29,8 +29,8 @@ AlignProblem<Camera> object_problem(const ReferencePair& pair, const ObjectScene
                                     const MotionPriorSettings& prior, const Noise& noise) {
   constexpr double kUnseenCost = 1;      // of a point that is not seen: an inlier costs about 0.45, an outlier 3.7
   constexpr double kNearest = 0.05;      // metres
-  constexpr double kAgreeingSigmas = 3;  // by which a depth may differ
-  constexpr int kCorrelatedArea = 45;    // pixels whose depths say together what one says, as of Selector
+  constexpr double kAgreeingSigmas = 3;  // largest difference of agreeing depths
+  constexpr int kCorrelatedArea = 45;    // pixels whose depths together count as one, as in Selector
   const ObjectReference& reference = pair.reference;
   AlignProblem<Camera> problem{reference.points, scene.image, scene.camera};
   problem.T_outer = pair.camera.T_now_ref;
@@ -47,12 +47,12 @@ AlignProblem<Camera> object_problem(const ReferencePair& pair, const ObjectScene
   problem.depth_pyramid = &scene.depth;
   problem.depth.occluders = scene.occluders;
   problem.depth.sigma = static_cast<float>(std::sqrt(pixel * pixel + change * change));
-  // On an object the depth may be worse than on the background that taught its noise.
+  // The noise is learnt from the background. The depth on an object may be worse.
   problem.depth.agreement = static_cast<float>(
       kAgreeingSigmas * std::max(std::sqrt(pixel * pixel + change * change),
                                  std::hypot(noise.prior_pixel_sigma(q), noise.prior_shared_sigma(q))));
-  // Neighbouring depths are not independent, and all share the change of the common error: together they are worth
-  // N = 1 / (A_corr / area + change^2 / pixel^2) measurements.
+  // Neighbouring depths are not independent, and all depths share the change of the common error. Together they count
+  // as N = 1 / (A_corr / area + change^2 / pixel^2) measurements.
   const double n =
       1 / (1.0 * kCorrelatedArea / std::max(kCorrelatedArea, reference.area) + change * change / (pixel * pixel));
   problem.depth.weight = static_cast<float>(n / std::max(1, reference.points.size()));

@@ -9,8 +9,8 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// An object as a past frame saw it, and what has moved since. `now` is the newest frame that the object was followed
-/// to: the previous one while it is being followed to the current one.
+/// An object as a past frame shows it, with the motion of camera and object since then. `now` is the newest frame that
+/// the object was followed to. While it is being followed to the current frame, that is the previous one.
 struct ObjectReference {
   PointSet points;
   Vector3<double> centroid = Vector3<double>::Zero();  ///< of the points, camera axes of that frame, metres
@@ -20,7 +20,7 @@ struct ObjectReference {
   CameraSince camera;                                  ///< the camera's motion since then
   SE3d T_obj_now_ref;                                  ///< the object's points since then: camera and own motion
 
-  /// Makes it one of this time, of which nothing is known but what `points` holds.
+  /// Resets all to the defaults at this time, except `points`.
   void restart(double new_timestamp) {
     ObjectReference fresh;
     fresh.timestamp = new_timestamp;

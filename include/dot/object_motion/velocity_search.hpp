@@ -11,9 +11,9 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Starts for an object without history: of many velocities those that fit best on a coarse level.
+/// Finds starts for an object without history: the velocities that fit best on a coarse level.
 struct VelocitySearch {
-  double speed = 0;  ///< m/s, up to which velocities are tried
+  double speed = 0;  ///< m/s, largest velocity that is tried
 
   /// Adds them to `starts`.
   template <typename Camera, typename Aligner>
@@ -22,11 +22,11 @@ struct VelocitySearch {
     const ObjectReference& reference = pair.reference;
     const int levels = std::min(reference.points.levels, problem.image.size());
     const int fine = std::min(kFineLevel, levels - 1);
-    // Traffic mostly goes where the camera does.
+    // Traffic mostly moves in the direction of the camera.
     starts.push_back(SE3d::translation(pair.camera.T_now_ref.inverse() * reference.centroid - reference.centroid));
     try_grid(pair, problem, fine, kFineSteps, aligner, workspace, starts);
-    // What is large may move by many pixels of that level between two frames: also on one where these are few, if the
-    // object still has some structure there.
+    // A large object may move by many pixels of that level between two frames. Then a coarser level is searched too, if
+    // the object still has some structure there.
     const double focal = problem.camera.intrinsics().fx, half_size = 0.5 * std::sqrt(1.0 * reference.area);
     const double pixels = speed * pair.seconds * focal / std::max(kNearest, reference.centroid.z());
     int coarse = fine;
@@ -38,11 +38,11 @@ struct VelocitySearch {
  private:
   static constexpr int kFineLevel = 2;                        ///< of the pyramid
   static constexpr int kFineSteps = 8, kCoarseSteps = 16;     ///< to each side
-  static constexpr int kLeastHalfSize = 6, kManyPixels = 16;  ///< pixels of a level, for a coarser one to help
+  static constexpr int kLeastHalfSize = 6, kManyPixels = 16;  ///< pixels of a level from which a coarser one helps
   static constexpr int kStepsAlong = 6;                       ///< along the ray, to each side
-  static constexpr std::size_t kKept = 3;                     ///< velocities of a grid
+  static constexpr std::size_t kKept = 3;                     ///< velocities kept of a grid
   static constexpr double kNearest = 0.1;                     ///< metres
-  static constexpr double kLeastHalf = 2;                     ///< pixels of a level: half size that is counted with
+  static constexpr double kLeastHalf = 2;                     ///< pixels of a level: lower bound of the half size
 
   /// Adds the three best velocities of a grid on one level, up to `steps` to each side.
   template <typename Camera, typename Aligner>
@@ -51,7 +51,7 @@ struct VelocitySearch {
     const ObjectReference& reference = pair.reference;
     const AlignState still{problem.T_outer, pair.camera.gain, pair.camera.offset};
     const double sigma = aligner.intensity_sigma(problem, still, level);
-    // Steps of two pixels of that level sideways; along the ray as far as makes the same change of scale at the border.
+    // Steps of two pixels of that level sideways. A step along the ray changes the scale: the border moves one pixel.
     const double z = std::max(kNearest, reference.centroid.z()), reach = speed * pair.seconds;
     const double focal = problem.camera.intrinsics().fx / (1 << level);
     const double half_size = std::max(kLeastHalf, 0.5 * std::sqrt(1.0 * reference.area) / (1 << level));

@@ -12,7 +12,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Buffers of a thread that follows objects, and its own copy of the aligner.
+/// Buffers of a thread that follows objects, with its own copy of the aligner.
 template <typename Aligner>
 struct ObjectWorkspace {
   Aligner aligner;

@@ -5,8 +5,8 @@
 #include "dot/pipeline/dot.hpp"
 
 /// @file
-/// The default pipeline and its stages, where the compiled library has them. A pipeline with a policy of one's own
-/// still takes from there the stages that do not depend on it.
+/// Declares that the compiled library contains the default pipeline and its stages. A pipeline with a user's policy
+/// still uses from the library the stages that do not depend on this policy.
 #ifdef DOT_USES_COMPILED_PIPELINE
 
 DOT_BEGIN_NAMESPACE

@@ -23,7 +23,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Whether an aligner tells which kernels it uses.
+/// Whether an aligner has a member for the kernels that it uses.
 template <typename Aligner, typename = void>
 inline constexpr bool has_kernels_v = false;
 template <typename Aligner>
@@ -53,27 +53,27 @@ class Dot {
   Aligner aligner;
   CameraMotionEstimator camera_estimator;
   ObjectMotionEstimator object_estimator;
-  Threads threads;  ///< they call the policies at the same time, each with a copy of the aligner
+  Threads threads;  ///< they call the policies concurrently, each with a copy of the aligner
 
   /// @throws std::invalid_argument naming the option that is out of range.
   explicit Dot(const Camera& camera, const Options& options = {});
 
   /// Labels the objects of one frame. The result is valid until the next call.
-  /// @throws std::invalid_argument naming the bad field of `frame`; nothing has changed then.
-  /// @throws std::bad_alloc, or what a host's pool throws; everything is forgotten then, as by `reset`.
+  /// @throws std::invalid_argument naming the bad field of `frame`; the state is then unchanged.
+  /// @throws std::bad_alloc, or exceptions of a host's pool; all frames and objects are then forgotten, as by `reset`.
   const Result& track(const Frame& frame);
 
-  /// Masks of an earlier frame, given to `track` without, that arrive only now: a network may take longer than a frame.
-  /// They are carried to the present with all that has been measured since, and show in the next result; the last one
-  /// is not changed. They come in the order of their frames, from after the last that was segmented, and at most
-  /// Options::mask.late_seconds late.
+  /// Takes masks that arrive late, for an earlier frame that was given to `track` without masks. A network may take
+  /// longer than a frame. The masks are moved to the present by all motions measured since, and appear in the next
+  /// result. The last result does not change. Masks must come in the order of their frames, for frames after the last
+  /// segmented one, and at most Options::mask.late_seconds late.
   /// @param frame_id Frame::id; the newest, if several frames have it.
-  /// @throws std::invalid_argument naming the bad field, or frame_id when it is none of these frames; nothing has
-  /// changed then.
-  /// @throws std::bad_alloc, or what a host's pool throws; everything is forgotten then, as by `reset`.
+  /// @throws std::invalid_argument naming the bad field, or frame_id if it is none of these frames; the state is then
+  /// unchanged.
+  /// @throws std::bad_alloc, or exceptions of a host's pool; all frames and objects are then forgotten, as by `reset`.
   void submit_masks(std::uint64_t frame_id, const Masks& masks);
 
-  /// Forgets all frames and objects; keeps buffers and never reuses an id.
+  /// Forgets all frames and objects. Keeps the buffers and never reuses an id.
   void reset() noexcept;
 
   const Options& options() const { return options_; }
@@ -90,7 +90,7 @@ class Dot {
   template <typename Body>
   void reset_unless_done(Body&& body);
 
-  /// Those of the aligner, so that one choice holds for all; without, the portable ones.
+  /// The aligner's kernels, so that all stages use the same. If it has none, the portable ones.
   const kernel::Kernels& kernels() const {
     if constexpr (has_kernels_v<Aligner>)
       return *aligner.reduction.kernels;
@@ -116,7 +116,7 @@ class Dot {
   FramePtr current_, previous_;
   CameraTracker<Camera, Noise, Aligner> camera_tracker_;
   Discovery<Camera, Noise> discovery_;
-  Image<std::uint8_t> explained_;  ///< what explains each pixel, for the discovery
+  Image<std::uint8_t> explained_;  ///< explanation of each pixel, for the discovery
   Observations observations_;
   TracksT tracks_;
   Labeller<Camera, Noise> labeller_;

@@ -16,8 +16,8 @@ namespace dot {
 
 namespace exclusion {
 
-/// Whether things of this state are excluded. An object that is not observable now counts as it was last decided: pass
-/// ObjectResult::last_decided for it.
+/// Whether objects of this state are excluded. For an object that is not observable now its last decided state counts:
+/// pass ObjectResult::last_decided.
 inline bool excludes(const ExclusionPolicy& policy, State state) {
   switch (state) {
     case State::Moving: return true;
@@ -30,7 +30,7 @@ inline bool excludes(const ExclusionPolicy& policy, State state) {
 
 /// Sets all pixels at most `radius` columns and rows from one that is 255; the others must be 0.
 inline void dilate(ImageView<std::uint8_t> mask, int radius) {
-  constexpr std::uint8_t set = 255, spread = 1;  // told apart until the direction is done
+  constexpr std::uint8_t set = 255, spread = 1;  // kept distinct until the direction is done
   const auto visit = [&](std::uint8_t& pixel, int& reach) {
     if (pixel == set) {
       reach = radius;
@@ -65,13 +65,13 @@ inline void dilate(ImageView<std::uint8_t> mask, int radius) {
 
 }  // namespace exclusion
 
-/// Writes the mask that a feature extractor needs: 255 = do not use this pixel, 0 = use it (the opposite of OpenCV's
-/// feature-detector masks, for which there is `feature_mask`).
+/// Writes the mask that a feature extractor needs: 255 = do not use this pixel, 0 = use it. OpenCV's feature detectors
+/// need the opposite, see `feature_mask`.
 ///
-/// Excluded are moving objects and, by policy, those that were never decided; an object that is not observable now
-/// counts as it was last decided. The excluded area is widened by `policy.dilation` pixels (square).
+/// Moving objects are excluded and, by policy, objects that were never decided. For an object that is not observable
+/// now its last decided state counts. The excluded area is widened by `policy.dilation` pixels (square).
 /// @param out of the size of `result.labels`.
-/// @throws std::invalid_argument when `out` has another size or the dilation is negative; `out` is then as it was.
+/// @throws std::invalid_argument if `out` has another size or the dilation is negative; `out` is then unchanged.
 inline void exclusion_mask(const Result& result, const ExclusionPolicy& policy, ImageView<std::uint8_t> out) {
   const ImageView<const std::uint8_t>& labels = result.labels;
   if (out.width != labels.width || out.height != labels.height || (out.data == nullptr && !labels.empty()))
@@ -79,7 +79,7 @@ inline void exclusion_mask(const Result& result, const ExclusionPolicy& policy, 
   if (policy.dilation < 0) throw std::invalid_argument("policy.dilation must be >= 0");
 
   const auto excluded = [&policy](State state) { return exclusion::excludes(policy, state); };
-  // Neighbouring pixels mostly are of one object: look it up when the id changes.
+  // Neighbouring pixels are mostly of one object, so the object is looked up only when the id changes.
   std::uint32_t id = 0;
   bool undecided_excluded = excluded(State::NotObservable);
   for (int y = 0; y < out.height; ++y) {
@@ -111,8 +111,8 @@ inline void feature_mask(const Result& result, const ExclusionPolicy& policy, Im
                    [](std::uint8_t value) { return static_cast<std::uint8_t>(255 - value); });
 }
 
-/// Share of the image that `policy` excludes, 0 to 1, before it is widened: tells a host that its features run out.
-/// Costs a look at each object, not at each pixel.
+/// Share of the image that `policy` excludes, 0 to 1, without the dilation. It warns a host that too few features are
+/// left. Its cost grows with the number of objects, not of pixels.
 inline double masked_share(const Result& result, const ExclusionPolicy& policy = {}) {
   if (result.labels.empty()) return 0;
   double pixels = 0;

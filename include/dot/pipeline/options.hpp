@@ -10,8 +10,8 @@
 
 namespace dot {
 
-/// All settings of the pipeline, by module. Defaults suit street scenes and rooms alike; times are in seconds, so the
-/// frame rate does not matter.
+/// All settings of the pipeline, by module. The defaults suit both street scenes and rooms. Times are in seconds, so
+/// they hold at any frame rate.
 struct Options {
   SelectionSettings selection;
   AlignSettings align;
@@ -19,13 +19,13 @@ struct Options {
   DepthNoiseSettings depth_noise;
   ObjectSettings object;
   MotionPriorSettings motion_prior;
-  ClassifierKind classifier = ClassifierKind::Velocity;  ///< of dot::Tracker; `Dot<...>` takes it as a type
+  ClassifierKind classifier = ClassifierKind::Velocity;  ///< for dot::Tracker; `Dot<...>` takes it as a type
   VelocitySettings velocity;
   EntropySettings entropy;
   MaskSettings mask;
-  double max_gap = 1.0;  ///< seconds between frames from which the references are dropped
-  int threads = 1;       ///< of OpenCV's pool or the host's that `track` uses at most; the results do not depend on it
-  bool discover_unknown = false;  ///< look in the background for moving things that no mask shows
+  double max_gap = 1.0;  ///< seconds; after a longer gap between frames the references are dropped
+  int threads = 1;  ///< most threads that `track` uses, of OpenCV's pool or the host's; results do not depend on it
+  bool discover_unknown = false;  ///< search the background for moving objects without a mask
 };
 
 /// Values that a setting may have, both ends included.
@@ -34,8 +34,8 @@ struct OptionRange {
 };
 
 /// Calls `visit(name, value, range)` for each numeric setting, name as in "velocity.v0", value a reference to double,
-/// int or bool. Beyond its range a setting has no meaning: a share above 1, a variance of zero, a speed above all
-/// speeds.
+/// int or bool. Outside its range a setting has no meaning, such as a share above 1, a variance of zero or an
+/// impossible speed.
 template <typename AnyOptions, typename Visitor>
 void for_each_option_range(AnyOptions& o, Visitor&& visit) {
 #define DOT_OPTION(path, low, high) visit(#path, o.path, OptionRange{low, high})
@@ -126,7 +126,7 @@ void for_each_option_range(AnyOptions& o, Visitor&& visit) {
 #undef DOT_OPTION
 }
 
-/// Calls `visit(name, value)` for each numeric setting, likewise. Serves configuration files.
+/// The same as `visit(name, value)`, without the range. For configuration files.
 template <typename AnyOptions, typename Visitor>
 void for_each_option(AnyOptions& o, Visitor&& visit) {
   for_each_option_range(o, [&visit](const char* name, auto& value, OptionRange) { visit(name, value); });

@@ -13,7 +13,7 @@
 #include "dot/motion/state.hpp"
 
 /// @file
-/// What comes out of the tracker: plain values and views, neither Eigen nor OpenCV.
+/// The tracker's output: plain values and views, without Eigen or OpenCV.
 
 namespace dot {
 
@@ -26,7 +26,7 @@ struct CameraResult {
   double gain = 1;                      ///< I_cur = gain I_prev + offset
   double offset = 0;                    ///< grey values
   double residual_sigma = 0;            ///< grey values, robust
-  double reduced_chi2 = 0;              ///< of the inliers' residuals over their predicted sigma; near 1 when honest
+  double reduced_chi2 = 0;              ///< of the inliers' residuals over their predicted sigma; near 1 if consistent
   int n_points = 0;                     ///< background points inside the image
   int n_inliers = 0;
 };
@@ -42,24 +42,24 @@ struct ObjectResult {
   std::uint32_t instance_id = 0;  ///< of that instance
   std::int32_t class_id = -1;     ///< of the last instance associated
   float score = 0;                ///< of the last instance associated
-  std::array<int, 4> box{};       ///< x, y, width, height of its visible label pixels; zeros when it shows none
+  std::array<int, 4> box{};       ///< x, y, width, height of its visible label pixels; zeros if there are none
   int area = 0;                   ///< visible label pixels
   double p_moving = 0.5;          ///< belief after this frame
-  State last_decided = State::NotObservable;  ///< the last state that was Static or Moving, if ever
+  State last_decided = State::NotObservable;  ///< the last state that was Static or Moving, if any
 
-  // The single fit of this frame; meaningful where `reason` is None.
+  // The single fit of this frame. Valid if `reason` is None.
   std::array<double, 12> T_o{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  ///< row-major 3x4, previous camera's axes: a point
                                                                    ///< at X_prev is at T_c T_o X_prev in this camera
   std::array<double, 36> covariance{};          ///< Sigma_x of T_o: twist about the centroid, photometric part only
   std::array<double, 3> velocity{};             ///< of the centroid, m/s, previous camera's axes
-  std::array<double, 9> velocity_covariance{};  ///< with the camera's and the depth's share
+  std::array<double, 9> velocity_covariance{};  ///< includes the errors of camera and depth
   double speed = 0;                             ///< m/s
   double phi = 0;                               ///< Pearson correlation
   double disparity_px = 0;        ///< d_d: median pixel distance between the points moved by T_c and by T_c T_o
   double disparity_noise_px = 0;  ///< RMS over points of sqrt(trace(G Sigma_x G'))
   double entropy = 0;             ///< H of Sigma_x, nats (paper eq. 7)
   double range = 0;               ///< depth of the centroid, metres
-  double interval = 0;  ///< seconds that the fit spans: more than the last interval where the frame before gave no
+  double interval = 0;  ///< seconds that the fit spans: more than the last interval if the frame before gave no
                         ///< reference or no fit; T_o is then the share of the last interval at constant velocity
   int n_points = 0;     ///< points inside the image
   int n_inliers = 0;
@@ -69,7 +69,7 @@ struct ObjectResult {
   std::array<double, 9> fused_covariance{};
 };
 
-/// Where the time of one `track` went.
+/// The stages of `track` whose time is measured.
 enum class Stage : std::uint8_t { Image, Camera, Masks, Objects, Label, Points, Count };
 
 /// Name of a stage, lower case.
@@ -82,14 +82,14 @@ constexpr const char* to_string(Stage stage) {
 struct Result {
   std::uint64_t frame_id = 0;
   double timestamp = 0;
-  double interval = 0;            ///< seconds since the previous frame, 0 when there is no reference
-  bool too_little_depth = false;  ///< the frame gives too few background points to be a reference; older ones serve on
-  double disparity_bias_px = 0;   ///< of stereo: RMS over the image of the bias learnt and taken from the depth
+  double interval = 0;            ///< seconds since the previous frame, 0 if there is no reference
+  bool too_little_depth = false;  ///< the frame has too few background points for a reference; older ones are kept
+  double disparity_bias_px = 0;   ///< for stereo: RMS over the image of the learnt bias that was subtracted
   CameraResult camera;
   ImageView<const std::uint8_t> labels;  ///< State of each pixel
   ImageView<const std::uint32_t> ids;    ///< track id of each pixel, 0 = background
-  Span<ObjectResult> objects;            ///< all live tracks by id, those without pixels too
-  int small_instances = 0;               ///< of this frame's masks: without a track, too small to start one
+  Span<ObjectResult> objects;            ///< all live tracks by id, including those without pixels
+  int small_instances = 0;               ///< masks of this frame without a track that are too small to start one
   std::array<double, static_cast<int>(Stage::Count)> stage_ms{};
 
   /// The object of this id, or null.

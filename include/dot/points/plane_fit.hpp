@@ -15,8 +15,8 @@ DOT_BEGIN_NAMESPACE
 /// A plane in space is linear in inverse depth over the image: q(u, v) = q + du (u - u0) + dv (v - v0).
 using PlaneFit = kernel::Plane;
 
-/// Windows for planes about single pixels. Depths of neighbouring pixels are not independent: of a large window some
-/// rows tell as much as all.
+/// Windows for planes about single pixels. Depths of neighbouring pixels are not independent, so some rows of a large
+/// window give as much information as all.
 /// @param radius pixels. @param min_inliers pixels that must support a plane.
 inline kernel::PlaneWindow plane_window(int radius, int min_inliers) {
   return {radius, radius < 7 ? 1 : radius < 16 ? 2 : radius / 8, min_inliers};
@@ -27,7 +27,7 @@ inline kernel::InverseDepth kernel_view(ImageView<const float> inverse_depth) {
 }
 
 /// The depths of one surface: those of a mask, within a range.
-/// @param inverse_depth of the mask's rectangle. @param mask non-zero = the surface's.
+/// @param inverse_depth of the mask's rectangle. @param mask non-zero = pixel of the surface.
 /// @param surface gets its inverse depth, 0 elsewhere.
 inline void cut_surface(ImageView<const float> inverse_depth, ImageView<const std::uint8_t> mask, float q_min,
                         float q_max, Image<float>& surface) {

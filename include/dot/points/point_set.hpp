@@ -12,8 +12,8 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Points of one region of one frame: structure of arrays, all of length size(). They carry their own reference
-/// intensities, so that a frame can be aligned to a past one without keeping its images.
+/// Points of one region of one frame: structure of arrays, all of length size(). They contain their reference
+/// intensities, so that a frame can be aligned to a past one whose images are not kept.
 struct PointSet {
   static constexpr int kMaxLevels = 6;
   static constexpr float kFarthest = 1e-4f;  ///< 1/m
@@ -25,7 +25,7 @@ struct PointSet {
   std::array<std::vector<float>, kMaxLevels> intensity;  ///< grey value at each pyramid level
   std::array<std::vector<float>, kMaxLevels> gu, gv;     ///< gradient there, grey values per pixel of the level
   int levels = 0;
-  DepthBias bias;  ///< that was taken from q
+  DepthBias bias;  ///< that was subtracted from q
 
   int size() const { return static_cast<int>(u.size()); }
 
@@ -44,8 +44,8 @@ struct PointSet {
     sigma_q.push_back(sigma_q_);
   }
 
-  /// Takes from q what has become known of the bias since. @param width, height of the image. @return whether there
-  /// was.
+  /// Subtracts from q the part of the bias that was learnt since. @param width, height of the image. @return whether q
+  /// changed.
   bool subtract_bias(const DepthBias& known, int width, int height) {
     const DepthBias learnt{known.coefficients - bias.coefficients};
     if (learnt.is_zero()) return false;
@@ -58,7 +58,7 @@ struct PointSet {
     return true;
   }
 
-  /// Replaces them by every `step`-th of others.
+  /// Replaces the points by every `step`-th of the given ones.
   void take_every(int step, const PointSet& all) {
     const auto take = [step](const std::vector<float>& from, std::vector<float>& to) {
       const auto each = static_cast<std::size_t>(step);

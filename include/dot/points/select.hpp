@@ -20,16 +20,16 @@ struct Box {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Where points are wanted, and how many. The images are of the box's size.
+/// The region to select points from, and their number. The images have the box's size.
 struct SelectionRegion {
   Box box;
-  ImageView<const std::uint8_t> mask;  ///< non-zero = may be a point; empty: all may
+  ImageView<const std::uint8_t> mask;  ///< non-zero = the pixel may be a point; empty: all may
   ImageView<const float> surface;      ///< inverse depth that planes may use, 0 = none
-  int budget = 0;                      ///< points, about
+  int budget = 0;                      ///< approximate number of points
   int radius = 5;                      ///< pixels: half size of the window whose plane gives a point its depth
   double min_gradient = 0;             ///< grey values per pixel
-  const PlaneFit* shared = nullptr;    ///< for all points instead, also those whose depth was not measured, about the
-                                       ///< pixel (width / 2, height / 2) of the box (distant object)
+  const PlaneFit* shared = nullptr;    ///< one plane for all points instead (distant object), also where depth is not
+  ///< measured; about the pixel (width / 2, height / 2) of the box
 };
 
 /// Memory of the selection, kept from frame to frame.
@@ -43,12 +43,12 @@ struct SelectionWorkspace {
   Image<float> surface, nearer, nearer_rows;
 };
 
-/// Semi-dense selection: a grid over a box, in each cell the admitted pixel of strongest gradient, with the depth of
-/// the plane that fits its surroundings (semi-dense, as in direct odometry).
+/// Semi-dense selection, as in direct odometry. In each cell of a grid over a box it takes the admitted pixel of
+/// strongest gradient, with the depth of the plane that fits the pixel's surroundings.
 ///
-/// A raw depth pixel carries its own noise, and near an edge the depth of something else; the plane has neither. The
-/// error of n pixels averages like that of n / kCorrelatedArea independent ones, as stereo and interpolated depth are
-/// smooth.
+/// A raw depth pixel has its own noise and, near an edge, the depth of another surface. The plane has neither. The
+/// error of n pixels averages like that of n / kCorrelatedArea independent ones, because stereo and interpolated depth
+/// are smooth.
 template <typename Camera, typename Noise>
 struct Selector {
   static constexpr float kCorrelatedArea = 45;  ///< px
@@ -64,7 +64,7 @@ struct Selector {
   /// Appends points, in the order of the cells.
   void operator()(const SelectionRegion& region, PointSet& points) const {
     const Box& box = region.box;
-    const int border = 4;  // the samplers' and the blur's reach
+    const int border = 4;  // radius of the samplers and of the blur
     const int x0 = std::max(box.x, border), x1 = std::min(box.x + box.width, inverse_depth.width - border);
     const int y0 = std::max(box.y, border), y1 = std::min(box.y + box.height, inverse_depth.height - border);
     if (x1 <= x0 || y1 <= y0) return;
@@ -80,7 +80,7 @@ struct Selector {
     strip.mask_stride = mask.stride;
     strip.q_stride = region.surface.stride;
     const int cell = cell_size(region, mask, x0 - box.x, y0 - box.y, x1 - box.x, y1 - box.y);
-    // Twice the gradient, squared: central differences without their half.
+    // The square of twice the gradient, because the central differences are without the factor 1/2.
     const int threshold = static_cast<int>(4 * region.min_gradient * region.min_gradient);
     std::vector<int>& keys = workspace.keys;
     keys.resize(static_cast<std::size_t>(strip.width));
@@ -107,7 +107,7 @@ struct Selector {
     fit_and_add(region, points);
   }
 
-  /// Reference intensities of all points, each level.
+  /// Samples the reference intensities of all points on each level.
   void sample_intensities(PointSet& points) const {
     points.levels = std::min(pyramid.size(), PointSet::kMaxLevels);
     for (int l = 0; l < points.levels; ++l) {
@@ -125,7 +125,7 @@ struct Selector {
     return static_cast<float>(noise.pixel_sigma(measured > 0 ? measured : region.shared->q));
   }
 
-  /// Of the grid: the budget is for the area that may have points at all.
+  /// Cell size of the grid. The budget is spread over the area that may have points.
   int cell_size(const SelectionRegion& region, ImageView<const std::uint8_t> mask, int x0, int y0, int x1,
                 int y1) const {
     const int step = (x1 - x0) * (y1 - y0) > 20000 ? 4 : 1;
@@ -137,7 +137,7 @@ struct Selector {
     return std::clamp(cell, 1, kernel::kMaxStripRows);
   }
 
-  /// The seeds whose plane tells their depth.
+  /// Fits planes to the seeds and adds those whose plane gives a depth.
   void fit_and_add(const SelectionRegion& region, PointSet& points) const {
     const std::vector<kernel::PlaneSeed>& seeds = workspace.seeds;
     std::vector<PlaneFit>& planes = workspace.planes;

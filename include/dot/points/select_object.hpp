@@ -14,25 +14,25 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// What became of the selection of an object's points.
+/// The outcome of selecting an object's points.
 struct ObjectPoints {
-  int pixels_with_depth = 0;  ///< of the mask, on the object's surface
+  int pixels_with_depth = 0;  ///< pixels of the mask on the object's surface
   float median_q = 0;         ///< 1/m
-  bool shape_known = false;   ///< by these pixels; else there are no points
+  bool shape_known = false;   ///< whether these pixels give its shape; if not, there are no points
 };
 
 namespace selecting {
 
-constexpr double kLevelRelief = 0.15;  ///< share of its distance: half an object's size, where a level may stand for it
+constexpr double kLevelRelief = 0.15;  ///< largest half size of an object, share of its distance, for constant depth
 
-/// Which pixels of an object's box may be points, into work.mask: of its eroded mask, where its surface (work.surface)
-/// was measured, nothing nearer beside it that is not the object's.
-/// @param level 1/m, of what was not measured; 0: that may not.
+/// Sets work.mask to the pixels of an object's box that may be points. They are in its eroded mask, its surface
+/// (work.surface) is measured there, and no nearer surface outside the object is beside them.
+/// @param level 1/m, assumed for pixels that are not measured; 0: these may not be points.
 inline void admit(ImageView<const float> frame, const Box& box, ImageView<const std::uint8_t> mask, int area,
                   float level, float slack, SelectionWorkspace& work) {
   constexpr int kErosion = 2, kReach = 4;
   const int width = box.width, height = box.height;
-  // What is not the object, with a rim.
+  // The pixels outside the object, with a rim.
   work.outside.resize(width + 2 * kErosion, height + 2 * kErosion);
   work.outside.fill(255);
   work.nearer.resize(width + 2 * kReach, height + 2 * kReach);
@@ -71,12 +71,13 @@ inline void admit(ImageView<const float> frame, const Box& box, ImageView<const 
 
 }  // namespace selecting
 
-/// Points of one object: inside its eroded mask, within the object's own range of depth, away from what occludes it.
+/// Selects the points of one object: inside its eroded mask, within the object's depth range, away from occluders.
 ///
-/// Masks are ragged and leak: of the mask's depths only those count that lie between its 20th and 80th percentile,
-/// widened by what an object of this range and relief may extend. An object so far that its relief drowns in the depth
-/// noise shares one plane, and so does one that has depth in less than a quarter of its pixels; the plane then serves
-/// where nothing was measured too. For one so near that its relief is a good part of its distance no plane serves.
+/// Masks are ragged and include pixels of other surfaces. So only depths between the 20th and 80th percentile of the
+/// mask count, widened by the possible extent of an object of this range and relief. If an object is so far that its
+/// relief is below the depth noise, or if less than a quarter of its pixels have depth, its points share one plane,
+/// which is then also used where depth is not measured. An object with few depths that is so near that its relief is a
+/// large part of its distance gets no points.
 /// @param box of the mask in the frame; @param mask of the box's size, non-zero = object; @param area its pixels.
 template <typename Camera, typename Noise>
 ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box, ImageView<const std::uint8_t> mask,
@@ -118,7 +119,7 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
         &plane);
     flat = plane.inliers > 0;
   }
-  if (4 * out.pixels_with_depth < area) {  // too few depths for planes of its own: all that is known is where it is
+  if (4 * out.pixels_with_depth < area) {  // too few depths for a plane of each point: only its distance is known
     if (relief > selecting::kLevelRelief * static_cast<double>(out.median_q)) return out;
     flat = true;
     plane.variance = static_cast<float>(relief * relief);
@@ -126,7 +127,7 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
   }
   out.shape_known = true;
   if (flat) {
-    // A tilt that the noise does not support would turn into spurious radial motion: keep the level.
+    // A tilt within the noise would cause spurious radial motion, so constant depth is used.
     plane.du = plane.dv = 0;
     plane.q = out.median_q;
   }
@@ -139,7 +140,7 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
   region.budget = select.settings.object_points;
   region.radius = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(area)) / 8), 3, 6);
   region.shared = flat ? &plane : nullptr;
-  // Strong gradients carry the information; weak ones only where there are few of them.
+  // Strong gradients carry the information. Weak ones are used only if there are too few strong ones.
   for (const double share : {1.0, 0.5}) {
     points.clear();
     region.min_gradient = share * select.settings.object_gradient;

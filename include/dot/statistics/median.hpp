@@ -13,7 +13,7 @@ DOT_BEGIN_NAMESPACE
 /// Standard deviation of a normal over the median of its absolute value.
 constexpr double kSigmaOfMedian = 1.4826;
 
-/// Value of which that share of the others is smaller, the lower one of two. The values are reordered.
+/// The value for which that share of the others is smaller, the lower one of two. The values are reordered.
 /// @pre first != last, 0 <= share <= 1.
 template <typename Iterator>
 auto quantile(Iterator first, Iterator last, double share) {
@@ -28,13 +28,14 @@ auto lower_median(Iterator first, Iterator last) {
   return quantile(first, last, 0.5);
 }
 
-/// Where most of some values are.
+/// Range of the majority of some values.
 template <typename Value>
 struct Spread {
   Value low, middle, high;  ///< quantiles of .2, .5, .8
 };
 
-/// At the cost of little more than a median. The values are reordered: those below the middle come first.
+/// Computes the spread at little more than the cost of a median. The values are reordered: those below the middle come
+/// first.
 /// @pre first != last.
 template <typename Iterator>
 auto spread(Iterator first, Iterator last) {

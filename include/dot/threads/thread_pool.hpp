@@ -6,8 +6,8 @@
 
 namespace dot {
 
-/// A host's threads, lent to the library: calls job(0) ... job(count - 1), each once, in any order or at the same time,
-/// and returns when all have ended. An exception of a job should come out of it.
+/// A host's threads, lent to the library. The function calls job(0) ... job(count - 1), each once, in any order or in
+/// parallel, and returns when all have ended. It should rethrow an exception of a job.
 using ThreadPool = std::function<void(int count, const std::function<void(int)>& job)>;
 
 }  // namespace dot

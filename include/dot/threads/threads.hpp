@@ -15,8 +15,8 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Does independent pieces of work on several threads. How many there are never shows in a result: each piece writes to
-/// places of its own, and what depends on others' results comes in a later `run`.
+/// Runs independent pieces of work on several threads. The results do not depend on the number of threads. For this
+/// each piece must write to separate memory, and work that depends on other pieces must be in a later `run`.
 struct Threads {
   int count = 1;    ///< at most so many pieces at a time; 1: all in the calling thread, without allocation
   ThreadPool pool;  ///< the host's; empty: OpenCV's, whose number of threads is not touched
@@ -46,9 +46,9 @@ struct Threads {
   }
 };
 
-/// Rounds for things that are done in order where they touch one another: each of `n` comes in the round after the last
-/// of those before it that it touches, touches(earlier, later). @return how many rounds; `rounds[i]` is that of the
-/// i-th.
+/// Assigns rounds to `n` tasks that must be done in order if they touch one another, touches(earlier, later). Each task
+/// is in the round after the last earlier task that it touches. @return the number of rounds; `rounds[i]` is that of
+/// the i-th task.
 template <typename Touches>
 int rounds_of(std::size_t n, Touches&& touches, std::vector<int>& rounds) {
   rounds.assign(n, 0);

@@ -13,10 +13,10 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Gives observations to the tracks that they continue, by where these are expected in the observations' frame.
+/// Assigns observations to the tracks that they continue. Compares them with the tracks' expected places in that frame.
 class Assignment {
  public:
-  /// By overlap: the network's to any track, and what was discovered to those that no network has shown.
+  /// Assigns by overlap: the network's observations to any track, discovered ones to tracks without a network mask.
   /// @param tracks without an observation. Observations that belong to a track already are left alone.
   void by_overlap(const std::vector<Track*>& tracks, Observations& observations, const MaskSettings& settings) {
     assign_kind(tracks, observations, false, settings);
@@ -24,15 +24,15 @@ class Assignment {
     for (const bool is_candidate : {false, true}) {
       unknown_.clear();
       for (Track* t : tracks)
-        if (t->identity.discovered && t->candidacy.is_candidate == is_candidate &&
-            !t->is_rejected_candidate())
+        if (t->identity.discovered && t->candidacy.is_candidate == is_candidate && !t->is_rejected_candidate())
           unknown_.push_back(t);
       assign_kind(unknown_, observations, true, settings);
     }
   }
 
-  /// Tracks whose object was hidden and comes out again: what shows first is another part of it than was seen last, so
-  /// that the outlines do not overlap. Where it is tells: within its size of where it should be.
+  /// Assigns by place, for objects that were hidden and come out again. The part that appears first is not the part
+  /// that was seen last, so the outlines do not overlap. An observation must be within the object's size of its
+  /// expected place.
   void by_place(const std::vector<Track*>& tracks, Observations& observations, const MaskSettings& settings) {
     open_.clear(), workspace_.pairs.clear();
     for (Observation& o : observations.list)
@@ -79,7 +79,7 @@ class Assignment {
   SparseAssignWorkspace workspace_;
 };
 
-/// Ends the discovered tracks that another track's observation covers by now: they were parts of it.
+/// Ends the discovered tracks that another track's observation now covers, because they were parts of that object.
 inline void drop_covered_candidates(const std::vector<Track*>& tracks, double min_containment) {
   for (Track* part : tracks) {
     if (!part->identity.discovered || part->observed || part->is_rejected_candidate()) continue;

@@ -10,8 +10,8 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Tells Discovery::find what explains each pixel already: tracks, where they are expected, and observations.
-/// @param inverse_depth 1/m, of the frame. @param out of the image's size, is overwritten.
+/// Marks for Discovery::find the pixels that are explained already: by tracks, at their expected places, and by
+/// observations. @param inverse_depth 1/m, of the frame. @param out has the image's size and is overwritten.
 template <typename Discovery>
 void explain_pixels(const std::vector<Track*>& tracks, const Observations& observations,
                     const Image<float>& inverse_depth, Image<std::uint8_t>& out) {

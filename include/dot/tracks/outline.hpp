@@ -10,7 +10,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Buffers of a thread that carries outlines.
+/// Buffers of a thread that moves outlines.
 struct OutlineWorkspace {
   WarpWorkspace warp;
   WarpedMask moved;  ///< not trimmed
@@ -18,20 +18,20 @@ struct OutlineWorkspace {
   TemplateWorkspace shape;
 };
 
-/// An object's outline over time: the last mask that was seen of it, and where that is. `now` is the newest frame that
-/// the object was followed to.
+/// An object's outline over time: its last observed mask, and where that is now. `now` is the newest frame that the
+/// object was followed to.
 struct TrackedOutline {
-  MaskTemplate shape;        ///< the last mask that was seen
-  MaskTemplate hidden_part;  ///< what something nearer hid of it then
+  MaskTemplate shape;        ///< the last observed mask
+  MaskTemplate hidden_part;  ///< the part that something nearer hid then
   SE3d T_now_shape;          ///< composed motion of the object's points since then
-  bool is_newest = false;    ///< it is of the last frame that was segmented, and the camera's motion since is known
+  bool is_newest = false;    ///< the shape is of the last segmented frame, and the camera's motion since is known
 
-  WarpedMask warped;   ///< the shape in the frame at hand
-  SE3d T_frame_shape;  ///< the motion that it was warped by
+  WarpedMask warped;   ///< the shape in the current frame
+  SE3d T_frame_shape;  ///< the motion of that warp
 
-  Mask mask;                  ///< what is shown in the frame at hand
-  bool visible = false;       ///< that is anything
-  bool contradicted = false;  ///< the last segmentation did not show it where it should be seen
+  Mask mask;                  ///< the part shown in the current frame
+  bool visible = false;       ///< whether `mask` shows anything
+  bool contradicted = false;  ///< the last segmentation did not show it although it should be visible
   double last_seen = 0;       ///< timestamp
 
   /// Sets `warped` to the shape after a motion.
@@ -43,9 +43,9 @@ struct TrackedOutline {
     T_frame_shape = T;
   }
 
-  /// Makes an observed mask the shape that is carried on.
+  /// Makes an observed mask the new shape.
   /// @param T_frame_old motion of the object's points from the old shape to the mask's frame. @param inverse_depth of
-  /// that frame. @param far 1/m, to be assumed where no depth was ever measured.
+  /// that frame. @param far 1/m, assumed where no depth was ever measured.
   template <typename Camera>
   void take(const Mask& observed, const SE3d& T_frame_old, const Image<float>& inverse_depth, double far,
             const Camera& camera, const MaskSettings& settings, OutlineWorkspace& workspace) {
@@ -57,7 +57,7 @@ struct TrackedOutline {
   }
 
  private:
-  /// Remembers what of the outline is behind something now that a mask shows the rest: to know it when it comes out.
+  /// Remembers the part of the outline that is hidden while a mask shows the rest. It is recognised when it comes out.
   template <typename Camera>
   void remember_hidden_part(const Mask& observed, const SE3d& T_frame_old, const Image<float>& inverse_depth,
                             const Camera& camera, const MaskSettings& settings, OutlineWorkspace& workspace) {

@@ -11,7 +11,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// The policies and settings that objects are tracked by; borrowed.
+/// The policies and settings for tracking objects. They are borrowed.
 template <typename Camera, typename Classifier, typename Noise>
 struct TrackingSetup {
   const Camera& camera;

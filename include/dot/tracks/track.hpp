@@ -13,10 +13,10 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Who an object is.
+/// Identity of an object.
 struct Identity {
   std::uint32_t id = 0;           ///< never reused
-  std::uint32_t instance_id = 0;  ///< of the last observation of a network
+  std::uint32_t instance_id = 0;  ///< of the last observation by a network
   std::int32_t class_id = -1;
   float score = 0;
   bool discovered = false;  ///< found by its motion; no network mask so far
@@ -28,16 +28,16 @@ struct Track {
   TrackedOutline outline;
   ObjectMotion motion;
   ObjectBelief belief;
-  Candidacy candidacy;  ///< of what was discovered
+  Candidacy candidacy;  ///< used for discovered objects
 
-  // In the frame at hand.
-  const Observation* observed = nullptr;  ///< what was assigned to it
-  bool segmented = false;                 ///< that is a network's
-  Place expected;                         ///< where its middle should be; where its motion led, once that is known
-  bool followed = true;                   ///< its motion is estimated: it is among the largest
-  bool lost = false;                      ///< to be dropped before the next frame
+  // State in the current frame.
+  const Observation* observed = nullptr;  ///< the observation assigned to it
+  bool segmented = false;                 ///< whether that is a network's
+  Place expected;        ///< predicted place of its middle; the followed place once its motion is known
+  bool followed = true;  ///< its motion is estimated, because it is among the largest
+  bool lost = false;     ///< to be dropped before the next frame
 
-  /// Makes it a new object, in the memory of the one it was.
+  /// Makes it a new object and reuses the memory of the old one.
   void restart(std::uint32_t id) {
     Track fresh;
     fresh.identity.id = id;
@@ -56,7 +56,7 @@ struct Track {
     *this = std::move(fresh);
   }
 
-  /// Begins with what was observed. After `restart`.
+  /// Starts the track with an observation. Call it after `restart`.
   void start(Observation& o) {
     o.assigned = true;
     observed = &o;
@@ -67,7 +67,7 @@ struct Track {
     if (belief.always_dynamic) belief.take({});
   }
 
-  /// Goes on with what was observed.
+  /// Continues the track with an observation.
   void assign(Observation& o) {
     o.assigned = true;
     observed = &o;
@@ -77,18 +77,18 @@ struct Track {
     identity.discovered = candidacy.is_candidate = false;
   }
 
-  /// A candidate that turned out to stand is remembered for a while, lest it is found again, and not followed.
+  /// A candidate that turned out to stand still is not followed. It is kept for a while, so that it is not found again.
   bool is_rejected_candidate() const { return candidacy.is_candidate && belief.state == State::Static; }
 
   bool is_shown() const { return outline.visible && !lost && !candidacy.is_candidate; }
 
-  /// Whether nothing of it is in view but what an earlier mask showed of it may come out.
+  /// Whether no part of it is visible, but a part that an earlier mask showed may come out.
   bool may_come_out() const {
     return !outline.visible && !outline.hidden_part.mask.empty() && !lost && !candidacy.is_candidate &&
            !outline.contradicted;
   }
 
-  /// What it covers in the frame at hand: what was observed, else what was expected.
+  /// Its mask in the current frame: the observed one, else the predicted one.
   const Mask& newest_mask() const { return observed ? observed->mask : outline.warped.mask; }
 
   /// 1/m; nearer objects are followed first and painted last.

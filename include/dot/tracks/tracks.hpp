@@ -15,8 +15,8 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// All objects: who they are from frame to frame, and each one's steps in order. A frame calls `prepare`, `drop_lost`,
-/// `predict`, `assign`, `follow`, `place` and, once its labels are there, `remember`.
+/// All objects: their identities from frame to frame, and the steps of each. A frame calls, in this order, `prepare`,
+/// `drop_lost`, `predict`, `assign`, `follow`, `place` and, after its labels are made, `remember`.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 class Tracks {
  public:
@@ -29,12 +29,12 @@ class Tracks {
     OutlineWorkspace outline;
   };
 
-  /// Follows one object. @param noise may be another one than the setup's; all is borrowed.
+  /// The tracker of one object. @param noise may differ from the setup's. All arguments are borrowed.
   static ObjectTracker<Camera, Noise, Aligner> tracker(const Setup& setup, const Noise& noise) {
     return {setup.camera, noise, setup.estimator, setup.selection, setup.depth_source, setup.kernels};
   }
 
-  /// Takes as many workers as there are threads, each with a copy of the aligner.
+  /// Creates one worker per thread, each with a copy of the aligner.
   void prepare(const Aligner& aligner, const Threads& threads);
 
   /// All tracks, by id; valid until the next call of this, `assign`, `place` or `far_to_near`.
@@ -44,20 +44,21 @@ class Tracks {
   std::size_t size() const { return tracks_.size(); }
   std::vector<Worker>& workers() { return workers_; }
 
-  /// Where `tracks` should be in the current frame, at constant velocity.
+  /// Predicts the places of `tracks` in the current frame at constant velocity.
   void predict(const List& tracks, const Interval& interval, const Setup& setup);
 
-  /// Gives the observations of the current frame to the tracks that they continue.
+  /// Assigns the observations of the current frame to the tracks that they continue.
   void assign(Observations& observations, const MaskSettings& settings);
 
-  /// Motions and states of `tracks` (Algorithm 1 of the paper, with `continue` instead of `break`), the nearest first:
-  /// what it covers is hidden of the others. Those that cannot touch one another are followed at the same time.
-  /// @param observations that have no track yet may be one of them.
+  /// Estimates motions and states of `tracks` (Algorithm 1 of the paper, with `continue` instead of `break`). The
+  /// nearest comes first, because it hides parts of the others. Objects that cannot touch one another are followed in
+  /// parallel.
+  /// @param observations those without a track may show one of `tracks`.
   void follow(const List& tracks, const Interval& interval, const Observations& observations,
               const Discovery<Camera, Noise>& discovery, const Setup& setup);
 
-  /// Masks of the current frame: what was observed where there is such a thing, otherwise the outline moved by T_c T_o.
-  /// What was observed and no track explains, now that their motions are known, becomes a new track.
+  /// Sets the masks of the current frame: the observation if there is one, otherwise the outline moved by T_c T_o. An
+  /// observation that no track explains, now that the motions are known, becomes a new track.
   /// @param segmented there are masks of a network for this frame.
   /// @return how many of these were too small to start a track.
   int place(const Interval& interval, bool segmented, Observations& observations,
@@ -66,32 +67,32 @@ class Tracks {
   /// Adds the current frame to a track's references.
   void remember(Track& track, const FrameData& cur, const Setup& setup, Worker& worker) const;
 
-  /// Starts tracks for what was observed and has none, and chooses which are followed.
+  /// Starts tracks for observations that have none, and chooses which tracks are followed.
   /// @return how many instances of a network were too small.
   int start(Observations& observations, const Discovery<Camera, Noise>& discovery, const Setup& setup);
 
-  /// Continues tracks that were hidden by observations that have no track.
+  /// Continues hidden tracks with observations that have no track.
   void find_again(Observations& observations, const MaskSettings& settings) {
     assignment_.by_place(all(), observations, settings);
   }
 
-  /// What is shown or may come out, far to near, predicted masks below those that a network saw; valid until the next
-  /// call.
+  /// The tracks that are shown or may come out, far to near. Predicted masks come before those of a network, so that
+  /// the latter are painted on top. Valid until the next call.
   const List& far_to_near();
 
-  /// Drops those that were lost in the frame before.
+  /// Drops the tracks that were lost in the frame before.
   void drop_lost() {
     tracks_.drop_if([](const Track& t) { return t.lost; });
   }
-  /// No frame before this one is to be compared with any more; ids stay.
+  /// Forgets all references, so that no earlier frame is compared with. The ids are kept.
   void forget_references();
-  /// Drops all; ids are not used again.
+  /// Drops all tracks. Ids are not used again.
   void clear() noexcept { tracks_.clear(); }
 
  private:
-  static constexpr int kReach = 32;  ///< pixels that even a small object may move unexpectedly
+  static constexpr int kReach = 32;  ///< pixels; even a small object may move so far unexpectedly
 
-  /// `memory` is the classifier's.
+  /// A track with the classifier's memory of it.
   struct ClassifiedTrack : Track {
     typename Classifier::Memory memory{};
   };
@@ -117,10 +118,10 @@ class Tracks {
   std::vector<Worker> workers_;
   Assignment assignment_;
   Image<std::uint8_t> nearer_;  ///< where objects nearer than those being followed were found
-  List selected_;               ///< by `that`
+  List selected_;               ///< result of `that`
   List order_;                  ///< nearest first
-  List at_once_;                ///< those of one round
-  std::vector<int> rounds_;     ///< in which those in `order_` are followed
+  List at_once_;                ///< tracks of one round
+  std::vector<int> rounds_;     ///< for each in `order_`: the round that follows it
 };
 
 DOT_END_NAMESPACE

@@ -18,7 +18,7 @@ void DirectAligner<Reduction>::refine(const AlignProblem<Camera>& problem, int l
   const Camera camera = problem.camera.at_level(level);
   const Image<std::uint8_t>& image = problem.image.levels[static_cast<std::size_t>(level)];
   const DepthTerm depth = problem.depth_at(level);
-  std::optional<Eigen::LDLT<Matrix8>> last;  // of the last pose that was accepted
+  std::optional<Eigen::LDLT<Matrix8>> last;  // at the last accepted pose
   std::array<Vector8, 4> modes;
   Matrix3<double> modes_R;
   a.seen = 0;
@@ -34,7 +34,7 @@ void DirectAligner<Reduction>::refine(const AlignProblem<Camera>& problem, int l
     double accepted_cost = std::numeric_limits<double>::infinity();
     a.converged = false;
     for (int iteration = 0; iteration < settings.max_iterations; ++iteration) {
-      // From x to the twist about the centroid in the camera's axes, A = T_outer Tr(c'): T <- A exp(x) A^-1 T.
+      // A = T_outer Tr(c') maps x to the twist about the centroid in the camera's axes: T <- A exp(x) A^-1 T.
       const SE3d T_o = problem.T_outer.inverse() * a.state.T;
       const Vector3<double> moved = problem.centred ? Vector3<double>(T_o * problem.centroid) : Vector3<double>::Zero();
       const SE3d A = problem.T_outer * SE3d::translation(moved);
@@ -69,7 +69,7 @@ void DirectAligner<Reduction>::refine(const AlignProblem<Camera>& problem, int l
       }
       accepted = a.state;
       accepted_cost = cost;
-      // A whiff of damping relative to each parameter keeps a direction that no point sees from exploding.
+      // Slight damping relative to each parameter keeps directions that no point constrains from diverging.
       Matrix8 damped = H;
       damped.diagonal() += 1e-7 * H.diagonal() + Vector8::Constant(1e-9);
       const Eigen::LDLT<Matrix8> solver(damped);

@@ -68,7 +68,7 @@ void SerialReduction::run(const PointSet& points, int level, const Camera& camer
     bool has_depth = false;
     float r_depth = 0;
     if (use_depth) {
-      const float left = pixel.x() + 0.5f, top = pixel.y() + 0.5f;  // of the image's edges
+      const float left = pixel.x() + 0.5f, top = pixel.y() + 0.5f;  // distances from the image's edges
       const int u = static_cast<int>(left * to_depth), v = static_cast<int>(top * to_depth);
       if (depth.inverse_depth.contains(u, v)) {
         const float measured = depth.inverse_depth(u, v);
@@ -88,8 +88,8 @@ void SerialReduction::run(const PointSet& points, int level, const Camera& camer
 
     Sample s = sample(image, pixel.x(), pixel.y());
     if (noise.gradient != GradientSource::Image) {
-      // A small piece of surface appears 1 / Z~ times as large as in the reference, so its gradient is Z~ times that
-      // one; its turn about the optical axis and its shear are left out.
+      // A small piece of surface appears 1 / Z~ times as large as in the reference, so its gradient is Z~ times as
+      // large. Its rotation about the optical axis and its shear are neglected.
       const auto l = static_cast<std::size_t>(level);
       const float scale = gain * X.z(), own = noise.gradient == GradientSource::Mean ? 0.5f : 0;
       s.gx = own * s.gx + (1 - own) * scale * points.gu[l][k];

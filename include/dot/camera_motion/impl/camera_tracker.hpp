@@ -36,7 +36,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   if (!step.known()) {
     step.covariance = covariance_of_guess(estimator.settings, seconds);
   } else if (step.status == CameraStatus::Tracked && background_.guessed) {
-    // The previous frame's place was a guess, and only the way since the frame before that is known well.
+    // The previous frame's pose was a guess. Only the motion since the frame of the points is known well.
     const Matrix6<double> Ad = step.T_cur_prev.adjoint();
     step.covariance += Ad * background_.guess_covariance * Ad.transpose();
     velocity_ = step.alignment.state.T.log() / (background_.seconds + seconds);
@@ -80,7 +80,7 @@ void CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
   const CameraSearch search{s.search_speed * step.seconds, s.search_turn * step.seconds, prev->pyramid, T_prev_points};
   align(velocity_known_ ? nullptr : &search);
   bool ok = estimator.accepts(step.alignment, velocity_known_ || expected);
-  if (!ok && velocity_known_) {  // it moved otherwise than before
+  if (!ok && velocity_known_) {  // the camera's velocity changed
     align(&search);
     ok = estimator.accepts(step.alignment, false);
   }
@@ -90,7 +90,7 @@ void CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
   step.covariance = s.covariance_scale * step.alignment.covariance.template topLeftCorner<6, 6>();
 }
 
-/// Of a motion of which nothing is known but its limits: uniform within what a search would look at.
+/// Covariance of a motion of which only the limits are known: uniform within the range of a search.
 template <typename Camera, typename Noise, typename Aligner>
 Matrix6<double> CameraTracker<Camera, Noise, Aligner>::covariance_of_guess(const CameraSettings& settings,
                                                                            double seconds) {
@@ -123,7 +123,7 @@ template <typename Camera, typename Noise, typename Aligner>
 bool CameraTracker<Camera, Noise, Aligner>::take_background(const FrameData& cur, const CameraStep& step,
                                                             const Image<std::uint8_t>& labels,
                                                             const Selector<Camera, Noise>& select, int min_points) {
-  // What no object covers, with a margin for ragged outlines.
+  // Pixels that no object covers, with a margin for ragged outlines.
   const int width = labels.width(), height = labels.height();
   mask_.resize(width, height);
   for (int y = 0; y < height; ++y) {

@@ -17,7 +17,7 @@ DOT_INLINE void Candidacy::confirm(const ObjectStep& step, const ObjectBelief& b
   if (reason == Reason::Occluded || reason == Reason::LeavesImage || reason == Reason::Hidden) return;
   bool agrees = step.fit.ok();
   if (agrees) {
-    if (!belief.has_velocity()) return;  // the first
+    if (!belief.has_velocity()) return;  // the first fit
     const MotionEstimate& m = step.fit.motion;
     const Vector3<double> d = m.velocity - belief.velocity_now;
     agrees = d.dot((m.covariance + belief.velocity_covariance).ldlt().solve(d)) < chi2::k99Of3;

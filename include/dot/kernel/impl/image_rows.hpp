@@ -5,13 +5,13 @@
 #include "dot/kernel/images.hpp"
 
 /// @file
-/// Rows of images. Those of bytes are plain loops, which become vector code with the flags of their unit; V is but the
-/// unit's name there, see impl/kernels_of.hpp.
+/// Rows of images. Those of bytes are plain loops, which become vector code with the flags of their unit. There V is
+/// only the unit's name, see impl/kernels_of.hpp.
 
 namespace dot::kernel {
 
-/// body(in + i, out + j) for runs of V::W results, the last of which may be done twice.
-/// @param kRows of input; a result takes kTaken values of each.
+/// Calls body(in + i, out + j) for runs of V::W results. The last results may be computed twice.
+/// @param kRows of input; a result uses kTaken values of each.
 template <typename V, int kRows, int kTaken, typename In, typename Body>
 void for_runs(const In* const (&in)[kRows], int n, float* out, Body&& body) {
   constexpr int W = V::W;
@@ -46,7 +46,7 @@ void invert_depth(const Value* values, int n, const DepthUnits& units, float* ou
       value = V::load_words(at[0]);
     else
       value = V::load(at[0]);
-    // Divided before it is known whether the value counts.
+    // Values that do not count are divided, too; `keep` then masks the result.
     V::store(to, V::keep(V::both(V::less(near, value), V::less(value, far)), V::div(unit, value)));
   });
 }
@@ -83,12 +83,12 @@ void halve_depth(const float* upper, const float* lower, int n, float* out) {
   });
 }
 
-/// First across the rows, exactly, then along them. Sums of products go up to 2^24; their high and their low bytes are
-/// added up by themselves, so that 16 bits suffice.
+/// First across the rows, without rounding, then along them. Sums of products are up to 2^24. Their high and low bytes
+/// are summed separately, so that 16 bits are enough.
 template <typename V>
 void blur(const unsigned char* const* rows, int n, const BlurWeights& weights, unsigned char* out) {
   using Word = unsigned short;
-  constexpr int kRun = 1024;  // pixels at once: their sums stay on the stack
+  constexpr int kRun = 1024;  // pixels at once, so that their sums fit on the stack
   const Word w0 = weights.middle, w1 = weights.next, w2 = weights.outer;
   const unsigned char *a = rows[0], *b = rows[1], *c = rows[2], *d = rows[3], *e = rows[4];
   Word high[kRun + 4], low[kRun + 4];

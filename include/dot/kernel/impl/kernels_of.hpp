@@ -10,9 +10,9 @@
 #include "dot/kernel/kernels.hpp"
 
 /// @file
-/// The kernels over vectors of V::W lanes; a unit takes `kernels_of<V>` for its own V. All are templates over V, and V
-/// is a name of its unit's own, so no two units share a function. V is one of kernel/lanes.hpp or of src/kernels/; it
-/// has, besides W, the types F (float lanes), I (32-bit integers), M (a mask), and static functions:
+/// The kernels over vectors of V::W lanes. A unit uses `kernels_of<V>` with its own V. All are templates over V, and
+/// the name V is local to its unit, so no two units share a function. V is a type of kernel/lanes.hpp or of
+/// src/kernels/. It has, besides W, the types F (float lanes), I (32-bit integers), M (a mask), and static functions:
 ///
 ///     F set(float), load(const float*); void store(float*, F); float sum(F);
 ///     F load_words(const unsigned short*);                       // W of them
@@ -29,7 +29,7 @@
 
 namespace dot::kernel {
 
-/// The functions over V.
+/// The set of kernels over V.
 template <typename V>
 constexpr Kernels kernels_of(const char* name) {
   return {name,

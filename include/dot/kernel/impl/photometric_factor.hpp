@@ -5,16 +5,16 @@
 #include "dot/kernel/photometric.hpp"
 
 /// @file
-/// Residuals and Jacobians of blocks of points over a vector of V::W lanes, see impl/kernels_of.hpp;
-/// impl/photometric_sums.hpp adds them up.
+/// Residuals and Jacobians of blocks of points over a vector of V::W lanes, see impl/kernels_of.hpp.
+/// impl/photometric_sums.hpp sums them.
 
 namespace dot::kernel {
 
 constexpr int kBlock = 128;    // points
-constexpr int kReference = 6;  // columns: the pose's six, then minus the reference's intensity (of the gain), ...
-constexpr int kMinusOne = 7;   // ... of the offset, ...
-constexpr int kResidual = 8;   // ... the residual, ...
-constexpr int kByDepth = 9;    // ... and its derivative by inverse depth, times 1, u and v
+constexpr int kReference = 6;  // columns: 0 to 5 of the pose, 6 minus the reference's intensity (of the gain)
+constexpr int kMinusOne = 7;   // minus one (of the offset)
+constexpr int kResidual = 8;   // the residual
+constexpr int kByDepth = 9;    // its derivative by inverse depth, times 1, u and v
 constexpr int kColumns = 12;
 
 /// The columns of one block.
@@ -26,7 +26,7 @@ struct Block {
   alignas(64) float depth_weight[kBlock];
 };
 
-/// What is summed while residuals are computed.
+/// Sums that are accumulated while residuals are computed.
 template <typename V>
 struct Tally {
   typename V::F cost = V::set(0);
@@ -34,7 +34,7 @@ struct Tally {
   int seen = 0, occluded = 0;
 };
 
-/// Bilinear value and, where wanted, central differences (times two) of the 4x4 pixels about (u, v).
+/// Bilinear value and, if requested, central differences (times two) of the 4x4 pixels about (u, v).
 template <typename V>
 struct Patch {
   using F = typename V::F;
@@ -48,7 +48,7 @@ struct Patch {
     const I column = V::to_int(u), row = V::to_int(v);
     const F a = V::sub(u, V::to_float(column)), b = V::sub(v, V::to_float(row));
     const I at = V::addi(V::muli(row, V::seti(static_cast<int>(level.stride))), column);
-    // The four neighbours of a row come with one load.
+    // One load gives the four neighbours of a row.
     const unsigned char* corner = level.data - level.stride - 1;
     const I p1 = V::gather4(corner + level.stride, at), p2 = V::gather4(corner + 2 * level.stride, at);
     const F a1 = V::template byte<1>(p1), b1 = V::template byte<2>(p1);
@@ -65,8 +65,8 @@ struct Patch {
   }
 };
 
-/// Residuals of the first `n` points of `p`, a multiple of the lanes: into `out`, or as columns of `block` from `at`
-/// on.
+/// Computes residuals of the first `n` points of `p`, a multiple of the lanes. Writes them to `out`, or as columns of
+/// `block` from index `at` on.
 template <typename V, GradientSource kGradient, bool kColumnsWanted, bool kDepth>
 void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Block* block, int at, Tally<V>& tally) {
   using F = typename V::F;
@@ -95,7 +95,7 @@ void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Blo
     M seen = V::both(V::not_less(Z, z_min), V::both(V::both(V::not_less(u, one), V::less(u, u_end)),
                                                     V::both(V::not_less(v, one), V::less(v, v_end))));
     if (p.excluded) seen = V::both(seen, V::zero_bytes(p.excluded + i));
-    // Whatever the other lanes hold, infinities and NaN too, must not reach an address nor a sum.
+    // Values of the other lanes, which may be infinite or NaN, must not reach an address or a sum.
     u = V::min(V::max(u, one), u_end), v = V::min(V::max(v, one), v_end);
     xn = V::keep(seen, xn), yn = V::keep(seen, yn), iz = V::keep(seen, iz);
     const F qi = V::keep(seen, V::mul(q, iz));
@@ -134,8 +134,8 @@ void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Blo
 
     Patch<V> patch(in.level, u, v, kGradient != GradientSource::Reference);
     if constexpr (kGradient != GradientSource::Image) {
-      // A small piece of surface appears 1 / Z~ times as large as in the reference, so its gradient is Z~ times that
-      // one; its turn about the optical axis and its shear are left out.
+      // A small piece of surface appears 1 / Z~ times as large as in the reference, so its gradient is Z~ times as
+      // large. Its rotation about the optical axis and its shear are neglected.
       const F scale = V::mul(V::keep(seen, Z), V::set(kGradient == GradientSource::Mean ? view.gain : 2 * view.gain));
       const F gx = V::mul(scale, V::load(p.gu + i)), gy = V::mul(scale, V::load(p.gv + i));
       if constexpr (kGradient == GradientSource::Mean)

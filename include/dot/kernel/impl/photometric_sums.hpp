@@ -7,21 +7,21 @@
 /// @file
 /// The kernels of kernel/photometric.hpp.
 ///
-/// The work goes by blocks of points that stay in the first cache: first residuals and Jacobians are written as
-/// columns, then products of columns are summed with the sums in registers. Lanes that see nothing have weight zero.
-/// Float sums end with a chunk of blocks and are added up in double, in the order of the points.
+/// Points are processed in blocks that stay in the first-level cache. First residuals and Jacobians are written as
+/// columns. Then products of columns are summed in registers. Lanes whose point is not seen have weight zero. The float
+/// sums of a chunk of blocks are added to double sums, in the order of the points.
 
 namespace dot::kernel {
 
 constexpr int kBlocksInAChunk = 8;  // blocks whose sums are float
 
-/// The last points of a set, fewer than the lanes, filled up with copies of the last one that are excluded.
+/// The last points of a set, fewer than the lanes. Excluded copies of the last point fill the other lanes.
 template <typename V>
 struct Tail {
   float f[9][V::W];
   unsigned char excluded[V::W];
 
-  /// Points from..from + count of `p`; the result borrows this.
+  /// Points from..from + count of `p`. The result borrows the memory of this object.
   Points fill(const Points& p, int from, int count) {
     const float* const arrays[9] = {p.x, p.y, p.q, p.sigma_q, p.intensity, p.gu, p.gv, p.u, p.v};
     for (int lane = 0; lane < V::W; ++lane) {
@@ -122,7 +122,7 @@ struct Partial {
 
   template <int kParameters, bool kDepth>
   void add(const Block& b, int n) {
-    // Tiles of about a dozen sums: as many as there are registers for, and enough to hide the latency of each.
+    // Tiles of about a dozen sums. They fit into the registers and are enough to hide the latency of each sum.
     add_products<V, 0, 2, 0, 6>(b.weight, b.photo, n, photo);
     add_products<V, 2, 4, 2, 4>(b.weight, b.photo, n, photo);
     if constexpr (kParameters == 6) {
@@ -138,7 +138,7 @@ struct Partial {
     }
   }
 
-  /// Adds to `out`, whose H gets its upper triangle.
+  /// Adds to `out`; of H only the upper triangle.
   template <int kParameters, bool kDepth>
   void flush(Sums& out) {
     for (int r = 0; r < kParameters; ++r) {
@@ -157,7 +157,7 @@ struct Partial {
   }
 };
 
-/// The modes that grow over the region, from sums over u and v: about its middle, over its half extents.
+/// Converts the linear modes from sums over u and v to modes about the region's middle, scaled by its half extents.
 template <typename V>
 void centre_modes(const Points& p, const Tally<V>& tally, Sums& out) {
   float bound[4][V::W];

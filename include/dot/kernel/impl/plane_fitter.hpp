@@ -5,12 +5,12 @@
 #include "dot/kernel/planes.hpp"
 
 /// @file
-/// Planes about V::W points at once, a point in each lane, see impl/kernels_of.hpp.
+/// Fits planes about V::W points at once, with a point in each lane, see impl/kernels_of.hpp.
 
 namespace dot::kernel {
 
-/// A window's pixels are gathered once and stay in the first cache for all passes; larger windows come in chunks, again
-/// in each pass. Sums of a chunk are float, those of a window double.
+/// A window's pixels are gathered once and stay in the first-level cache for all passes. Larger windows are gathered in
+/// chunks, again in each pass. Sums of a chunk are float, those of a window double.
 template <typename V>
 class PlaneFitter {
  public:
@@ -60,7 +60,7 @@ class PlaneFitter {
   static constexpr int kStaged = 176;  // pixels: a window of 13 x 13
   enum { kN, kX, kY, kXX, kXY, kYY, kR, kXR, kYR, kRR, kSums };
 
-  /// The windows of the seeds, ends included; lanes without a seed get that of the last one.
+  /// Sets the windows of the seeds, ends included. Lanes without a seed get the window of the last seed.
   void place(const PlaneSeed* seeds, int count) {
     for (int lane = 0; lane < W; ++lane) {
       const PlaneSeed& seed = seeds[lane < count ? lane : count - 1];
@@ -83,7 +83,7 @@ class PlaneFitter {
     }
   }
 
-  /// What is no measurement, or lies outside the window of its lane, gets a value beyond every gate.
+  /// Gathers pixels. A pixel without measurement, or outside the window of its lane, gets a value beyond every gate.
   void stage(int first_row, int rows, int first_column, int columns) {
     const F zero = V::set(0), nowhere = V::set(1e30f);
     const M all = V::less(zero, nowhere);
@@ -145,7 +145,7 @@ class PlaneFitter {
   void solve(int lane) {
     const auto sum = [&](int which) { return sums_[which][lane]; };
     Plane& fit = planes_[lane];
-    done_[lane] = true;  // unless all goes well
+    done_[lane] = true;  // reset below if the fit succeeds
     fit.inliers = 0;
     const double n = sum(kN), pixels = n * rows_for_one_[lane];
     if (n < 1 || pixels < window_.min_inliers) return;
@@ -163,13 +163,13 @@ class PlaneFitter {
     fit.inliers = static_cast<int>(pixels + 0.5);
     first_[lane] = fit.q + fit.du * static_cast<float>(to_x_[lane]) + fit.dv * static_cast<float>(to_y_[lane]);
     du_[lane] = fit.du, dv_[lane] = fit.dv;
-    done_[lane] = n == before_[lane];  // as many pixels as before: nothing would change
+    done_[lane] = n == before_[lane];  // as many pixels as before, so the next pass would change nothing
     before_[lane] = n;
   }
 
   const InverseDepth& image_;
   const PlaneWindow& window_;
-  int columns_, rows_, chunk_columns_, chunk_rows_;  ///< of the largest window, rows that are read alone
+  int columns_, rows_, chunk_columns_, chunk_rows_;  ///< of the largest window; only the rows that are read
   alignas(64) float staged_[kStaged][W];
   float left_[W], top_[W], last_column_[W], last_row_[W];
   float first_[W], du_[W], dv_[W], gate_[W];

@@ -5,7 +5,7 @@
 #include "dot/kernel/gradients.hpp"
 
 /// @file
-/// Plain loops without branches, which become vector code with the flags of their unit; V is but the unit's name, see
+/// Plain loops without branches, which become vector code with the flags of their unit. V is only the unit's name, see
 /// impl/kernels_of.hpp.
 
 namespace dot::kernel {
@@ -24,7 +24,7 @@ void strongest_of(const GradientStrip& strip, int threshold, int* keys) {
       q = reinterpret_cast<const float*>(reinterpret_cast<const unsigned char*>(strip.q) + y * strip.q_stride);
     const int row_bits = strip.row_bits(), of_row = strip.key(0, y);
     for (int x = 0; x < width; ++x) {
-      // Products of 16 bits are the quicker ones.
+      // 16-bit products are faster.
       const auto gx = static_cast<short>(row[x + 1] - row[x - 1]), gy = static_cast<short>(below[x] - above[x]);
       int key = ((gx * gx + gy * gy) << row_bits) + of_row;
       key = mask[x] ? key : 0;

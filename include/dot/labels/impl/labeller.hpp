@@ -25,7 +25,7 @@ void Labeller<Camera, Noise>::label(const List& far_to_near, const FramePtr& cur
       drop_unmeasured(cur->inverse_depth().view(), outline.mask);
   }
   paint(far_to_near, camera.width(), camera.height(), ids_);
-  // Near to far, so that what is nearer grows first.
+  // Near to far, so that the nearer objects grow first.
   for (auto i = far_to_near.rbegin(); i != far_to_near.rend(); ++i) {
     Track& t = **i;
     Mask& mask = t.outline.mask;
@@ -39,7 +39,7 @@ void Labeller<Camera, Noise>::label(const List& far_to_near, const FramePtr& cur
   if (segmented) T_now_segmented_ = {};
 }
 
-/// A frame that was segmented is the one to compare with from the next frame on.
+/// A segmented frame becomes the frame to compare with at the next frame.
 template <typename Camera, typename Noise>
 void Labeller<Camera, Noise>::advance(const FramePtr& cur, const CameraStep& camera_step, bool segmented) {
   T_now_segmented_ = camera_step.T_cur_prev * T_now_segmented_;
@@ -62,7 +62,7 @@ void Labeller<Camera, Noise>::set_segmented(const List& far_to_near, const Frame
   known_ = known;
 }
 
-/// The id image of these tracks' masks.
+/// Paints the masks of these tracks into the id image.
 template <typename Camera, typename Noise>
 void Labeller<Camera, Noise>::paint(const List& far_to_near, int width, int height, Image<std::uint32_t>& ids) {
   ids.resize(width, height);
@@ -70,8 +70,8 @@ void Labeller<Camera, Noise>::paint(const List& far_to_near, int width, int heig
   for (const Track* t : far_to_near) t->outline.mask.write(t->identity.id, ids);
 }
 
-/// Adds to an object's pixels what the last segmentation could not see of it: what earlier ones showed, and, where its
-/// motion is known, what none has shown.
+/// Adds to an object's pixels the parts that the last segmentation could not see: parts that earlier ones showed, and,
+/// if its motion is known, parts that none has shown.
 /// @param box x, y, width, height of its pixels; grows with them
 template <typename Camera, typename Noise>
 void Labeller<Camera, Noise>::show_new_parts(const Track& t, const FrameData& cur, const Camera& camera,
@@ -80,7 +80,7 @@ void Labeller<Camera, Noise>::show_new_parts(const Track& t, const FrameData& cu
   const SE3d T_seg_object = t.outline.T_now_shape.inverse(), T_seg_static = T_now_segmented_.inverse();
   const ImageView<const float> inverse_depth = cur.inverse_depth().view();
   const SegmentedFrame segmented{segmented_->inverse_depth(), segmented_ids_};
-  // Within which inverse depths of one surface agree, measured in two frames: relative, three sigmas.
+  // Tolerance, relative, of the inverse depths of one surface that are measured in two frames: three sigmas.
   const auto tolerance = [&](double q) {
     const double sigma = std::max(std::hypot(noise.pixel_sigma(q), noise.shared_sigma(q)),
                                   std::hypot(noise.prior_pixel_sigma(q), noise.prior_shared_sigma(q)));

@@ -51,7 +51,7 @@ void LateMasks<Camera, Classifier, Noise, Aligner>::apply(AwaitedFrames::const_i
   frames_.drop_through(found);
 }
 
-/// The tracks as they were in that frame, by what is known of their motions now.
+/// Moves the tracks back to that frame by their motions as known now.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void LateMasks<Camera, Classifier, Noise, Aligner>::recall(const AwaitedFrame& then, double now,
                                                            const Stages& stages) const {
@@ -65,13 +65,13 @@ void LateMasks<Camera, Classifier, Noise, Aligner>::recall(const AwaitedFrame& t
   }
 }
 
-/// Motion of the object's points since a past frame, the camera's and its own composed.
+/// Motion of the object's points since a past frame: the camera's and the object's composed.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 SE3d LateMasks<Camera, Classifier, Noise, Aligner>::T_now_then(const Track& t, const AwaitedFrame& then, double now) {
   return t.motion.path.since(then.timestamp(), now, t.belief.expected_velocity()) * then.since.T_now_ref;
 }
 
-/// Takes a track with its new mask, or without, from a past frame to the present.
+/// Moves a track, with or without a new mask, from a past frame to the present.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void LateMasks<Camera, Classifier, Noise, Aligner>::apply_late_mask(Track& t, const AwaitedFrame& then, double now,
                                                                     const Setup& setup, Worker& worker) const {
@@ -92,7 +92,7 @@ void LateMasks<Camera, Classifier, Noise, Aligner>::apply_late_mask(Track& t, co
   outline.last_seen = std::max(outline.last_seen, then.timestamp());
   t.motion.position_now = (centre.z() > 0 ? Place{centre, true} : t.expected).moved(T);
 
-  // Points under the new mask are better than those under the one that was carried on.
+  // Points under the new mask are better than those under the predicted one.
   renew_reference(t, then, t.observed->mask, centre, now, setup, worker);
   for (const AwaitedFrame& later : frames_) {
     if (later.timestamp() <= then.timestamp()) continue;
@@ -124,7 +124,8 @@ void LateMasks<Camera, Classifier, Noise, Aligner>::renew_reference(Track& t, co
   std::swap(replaces ? all[place] : all.insert(place), r);
 }
 
-/// Leads new tracks from the frame whose masks started them through all later ones, as if the masks had come in time.
+/// Follows new tracks from the frame whose masks started them through all later frames, as if the masks had been in
+/// time.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void LateMasks<Camera, Classifier, Noise, Aligner>::replay(const std::vector<Track*>& started, const AwaitedFrame& then,
                                                            const Stages& stages) const {

@@ -20,7 +20,7 @@ DOT_INLINE void Belief::predict(double dt, const Matrix3<double>& R_cur_prev, co
   const double q = p * (1 - change) + (1 - p) * change;
   log_odds = std::log(q / (1 - q));
   if (!has_velocity()) return;
-  // Accelerations that last for tau: the variance grows by a^2 tau a second.
+  // Accelerations last for tau, so the variance grows by a^2 tau per second.
   covariance += Matrix3<double>::Identity() * sq(s.acceleration) * kAccelerationSeconds * dt;
   velocity = R_cur_prev * velocity;
   covariance = R_cur_prev * covariance * R_cur_prev.transpose();
@@ -38,12 +38,12 @@ DOT_INLINE void Belief::weigh(const MotionEstimate& e, double v0, const Velocity
   const Vector3<double>& v = e.velocity;
   const Matrix3<double>& V = e.covariance;
   const Matrix3<double> I = Matrix3<double>::Identity();
-  const double speed2 = sq(s.prior_speed * v0 / s.v0);  // near things are slow things on tables, far ones vehicles
+  const double speed2 = sq(s.prior_speed * v0 / s.v0);  // near objects are slow (on tables), far ones are vehicles
   const double outlier = s.outliers * density(v, V + kOutlierVariance * speed2 * I);
 
   const Vector3<double> zero = Vector3<double>::Zero();
   const Vector3<double> weakest = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(V).eigenvectors().col(2);
-  // Both hypotheses with errors as stated, and with those of a bad fit.
+  // Both hypotheses, with the errors of the covariance and with those of a bad fit.
   double stands = 0, moves = 0;
   for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, V},
                                  std::pair<double, Matrix3<double>>{s.tail_share, s.tail_variance * V}}) {
@@ -61,14 +61,14 @@ DOT_INLINE void Belief::weigh(const MotionEstimate& e, double v0, const Velocity
   stands = (1 - s.outliers) * stands + outlier;
   moves = (1 - s.outliers) * moves + outlier;
 
-  // Fits that reach back over the same time say the same: of one over `span_seconds`, a frame brings its share.
+  // Fits over the same time carry the same information. So a fit over `span_seconds` counts only by its frame's share.
   const double frame = e.span_seconds / e.span_frames;
   const double share = std::min(1.0, frame / std::sqrt(kIndependentSeconds * e.span_seconds));
   const double cap = std::min(s.max_evidence_rate * frame, s.max_evidence);
   const double evidence = share * (std::log(moves + 1e-300) - std::log(stands + 1e-300));
   log_odds = std::clamp(log_odds + std::clamp(evidence, -cap, cap), -s.max_log_odds, s.max_log_odds);
 
-  // The filter: restarted where fits contradict it.
+  // The filter is restarted if fits contradict it.
   const bool agrees =
       has_velocity() && (v - velocity).dot((V + covariance).ldlt().solve(v - velocity)) <= chi2::k5SigmaOf1;
   if (!trust.accept(agrees, frame)) return;
@@ -85,9 +85,9 @@ DOT_INLINE double Belief::density(const Vector3<double>& x, const Matrix3<double
   return std::exp(-0.5 * (x.dot(ldlt.solve(x)) + log_det + 3 * std::log(2 * 3.14159265358979323846)));
 }
 
-/// Density of v under "the velocity is of N(m, S), and beyond v0": that of the Gaussian times
-/// P(|velocity| > v0 | v) / P(|velocity| > v0); the ball is taken as the cube of the same volume along the axes of
-/// each covariance.
+/// Density of v if the velocity is of N(m, S) and greater than v0: that of the Gaussian times
+/// P(|velocity| > v0 | v) / P(|velocity| > v0). The ball is approximated by the cube of the same volume along the axes
+/// of each covariance.
 DOT_INLINE double Belief::hypothesis(const Vector3<double>& v, const Matrix3<double>& V, const Vector3<double>& m,
                                      const Matrix3<double>& S, double v0) {
   const Matrix3<double> K = S * (S + V).inverse();

@@ -35,7 +35,7 @@ DOT_INLINE Decision SingleFrameClassifier::operator()(Memory&, const MotionEstim
   const double k2 = chi2::k99Of3;
   Decision d{State::NotObservable, 0.5, R_cur_prev * fit->velocity,
              R_cur_prev * fit->covariance * R_cur_prev.transpose()};
-  // Distance of the nearest point of the ball in the metric of the covariance, bounded below along v.
+  // Lower bound, along v, of the distance of the ball's nearest point in the metric of the covariance.
   const double speed = fit->velocity.norm();
   const double sigma2 = speed > 0 ? fit->velocity.dot(fit->covariance * fit->velocity) / (speed * speed) : 0;
   if (speed > v0 && (speed - v0) * (speed - v0) > k2 * sigma2) d.state = State::Moving, d.p_moving = 0.99;
@@ -47,7 +47,7 @@ DOT_INLINE Decision EntropyClassifier::operator()(Memory& m, const MotionEstimat
                                                   const Matrix3<double>& R_cur_prev, double) const {
   Decision d;
   const bool observable = fit && (literal ? fit->entropy > settings.min_entropy : fit->entropy < settings.max_entropy);
-  // The paper keeps the last decision of what is not observable any more.
+  // The paper keeps the last decision for objects that are not observable any more.
   if (observable)
     m.state = fit->disparity_px > std::max(settings.min_disparity, settings.noise_factor * fit->disparity_noise_px)
                   ? State::Moving

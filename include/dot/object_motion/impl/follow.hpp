@@ -10,7 +10,7 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// What `follow` works with.
+/// Inputs and intermediate results of `follow`.
 template <typename Camera, typename Noise, typename Aligner>
 struct ObjectTracker<Camera, Noise, Aligner>::Following {
   const ObjectMotion& motion;
@@ -46,7 +46,7 @@ ObjectStep ObjectTracker<Camera, Noise, Aligner>::follow(const ObjectMotion& mot
   return step;
 }
 
-/// By the newest reference that fits; the reason where there is none is that of the newest of all.
+/// Uses the newest reference that fits. If none fits, the reason is that of the newest reference.
 template <typename Camera, typename Noise, typename Aligner>
 void ObjectTracker<Camera, Noise, Aligner>::fit_last_interval(Following& f) const {
   const std::size_t recent = std::min(f.motion.references.size(), kRecent);
@@ -68,7 +68,8 @@ void ObjectTracker<Camera, Noise, Aligner>::fit_last_interval(Following& f) cons
   }
 }
 
-/// Fits of what is a few pixels wide or half hidden know less of it than its velocity before.
+/// Combines the fit with the known velocity. Where the object is a few pixels wide or half hidden, the fit is less
+/// certain than the velocity before.
 template <typename Camera, typename Noise, typename Aligner>
 void ObjectTracker<Camera, Noise, Aligner>::use_known_velocity(Following& f) const {
   const double seconds = f.interval.camera.seconds;
@@ -79,8 +80,8 @@ void ObjectTracker<Camera, Noise, Aligner>::use_known_velocity(Following& f) con
                                        estimator.velocity.photometric_scale, estimator.prior);
 }
 
-/// By up to three older references, the oldest first: they tell more of what stands or moves steadily, but of what just
-/// started only how it moved on average.
+/// Fits up to three older references, the oldest first. They are more precise for an object that stands or moves
+/// steadily. For an object that has just started they give only its mean motion.
 template <typename Camera, typename Noise, typename Aligner>
 void ObjectTracker<Camera, Noise, Aligner>::fit_older(Following& f) const {
   const double seconds = f.interval.camera.seconds, floor = estimator.velocity.floor;
@@ -94,7 +95,7 @@ void ObjectTracker<Camera, Noise, Aligner>::fit_older(Following& f) const {
     const ObjectReference& older = f.motion.references[static_cast<std::size_t>(k)];
     const double age = f.interval.cur.timestamp - older.timestamp;
     const double least = kWorthwhile * (variance_of_change(age, seconds, acceleration) + floor * floor);
-    if (f.step.has_evidence && least >= f.evidence_variance) continue;  // it cannot tell more
+    if (f.step.has_evidence && least >= f.evidence_variance) continue;  // it cannot be more precise
     const ReferencePair pair = pair_with_current(f, older);
     f.workspace.starts.assign(1, pair.camera.T_now_ref.inverse() * f.T_c() * f.step.T_o * older.T_obj_now_ref);
     const ObjectFit found = fit(f, pair);
@@ -112,7 +113,7 @@ ObjectFit ObjectTracker<Camera, Noise, Aligner>::fit(const Following& f, const R
                        f.workspace.minima);
 }
 
-/// Takes a fit for the evidence if it tells more than what there is. @param last its share of the last interval.
+/// Takes a fit as the evidence if it is more precise than the present one. @param last its share of the last interval.
 template <typename Camera, typename Noise, typename Aligner>
 void ObjectTracker<Camera, Noise, Aligner>::add_evidence(Following& f, const ReferencePair& pair,
                                                          const ObjectFit& found, const ObjectFit& last) const {
@@ -126,7 +127,7 @@ void ObjectTracker<Camera, Noise, Aligner>::add_evidence(Following& f, const Ref
   f.evidence_variance = variance;
 }
 
-/// The fused velocity, in the axes of a reference; nothing where it is not known well enough to refuse a fit for it.
+/// The fused velocity, in the axes of a reference. Empty if it is not known well enough to refuse a fit.
 template <typename Camera, typename Noise, typename Aligner>
 KnownVelocity ObjectTracker<Camera, Noise, Aligner>::known_velocity(const Following& f,
                                                                     const ReferencePair& pair) const {
@@ -136,8 +137,8 @@ KnownVelocity ObjectTracker<Camera, Noise, Aligner>::known_velocity(const Follow
           f.interval.cur.timestamp - std::min(f.belief.last_fit, pair.reference.timestamp)};
 }
 
-/// Where the alignment begins, the most trusted first: as predicted, standing still, moving as in the interval before,
-/// and where masks show it.
+/// Sets the starts of the alignment, the most trusted first: predicted motion, no motion, the motion of the interval
+/// before, and the places where masks show the object.
 template <typename Camera, typename Noise, typename Aligner>
 void ObjectTracker<Camera, Noise, Aligner>::set_starts(const Following& f, const ReferencePair& pair) const {
   const ObjectReference& r = pair.reference;
@@ -170,7 +171,7 @@ void ObjectTracker<Camera, Noise, Aligner>::set_starts(const Following& f, const
   };
   if (f.places.own) return add_observed(*f.places.own);
   if (!f.places.all) return;
-  // Those nearest to where it should be.
+  // The masks nearest to the expected place.
   auto& nearest = f.workspace.nearest;
   nearest.clear();
   const Vector3<double> expected = T_c * T_o_predicted * r.T_obj_now_ref * r.anchor;

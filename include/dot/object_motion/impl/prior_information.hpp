@@ -14,7 +14,7 @@ DOT_INLINE Matrix6<double> prior_information(const MotionPriorSettings& prior, d
   const double t = 1 / std::pow(prior.velocity * dt, 2), r = 1 / std::pow(prior.rotation * dt, 2);
   P.diagonal() << t, t, t, r, r, r;
   if (prior.ground_vehicle) {
-    constexpr double kStiffness = 99;  // up and down, pitch and roll: a tenth of what is free elsewhere, 10^2 - 1
+    constexpr double kStiffness = 99;  // vertical, pitch and roll: a tenth of the other sigmas, hence 10^2 - 1
     const Vector3<double> up = Vector3<double>(prior.up_x, prior.up_y, prior.up_z).normalized();
     const Matrix3<double> vertical = up * up.transpose();
     P.topLeftCorner<3, 3>() += kStiffness * t * vertical;

@@ -19,7 +19,7 @@ Reason ObjectTracker<Camera, Noise, Aligner>::make_reference(const FrameData& fr
       camera, noise, frame.pyramid, frame.inverse_depth().view(), selection, workspace.selection, kernels};
   const ObjectPoints found =
       select_object(select, {mask.x, mask.y, mask.width(), mask.height()}, mask.pixels.view(), mask.area, r.points);
-  // Where a matcher finds nothing, beyond its range or in the dark, what depth there is may be its mistakes.
+  // Beyond its range or in the dark a stereo matcher finds little. The few depths that it gives there may be wrong.
   if (depth_source != DepthSource::Lidar && found.pixels_with_depth < selection.min_depth_share * mask.area)
     return Reason::TooLittleDepth;
   if (r.points.size() < estimator.settings.min_points)
@@ -41,8 +41,8 @@ void ObjectTracker<Camera, Noise, Aligner>::remember(const FrameData& cur, const
   }
   const Vector3<double> centre = centre_of(*mask, cur.inverse_depth(), camera, workspace.selection.values);
   if (centre.z() > 0) {
-    // What is half hidden shows a part that is not its middle: then the middle is where its motion carried it.
-    constexpr double kWhole = 0.7;  // of its size
+    // The centre of the visible part of a half hidden object is not its middle. Its middle is then predicted by motion.
+    constexpr double kWhole = 0.7;  // of the object's size
     const double size = std::sqrt(1.0 * mask->area) * centre.z() / camera.intrinsics().fx;
     if (size > kWhole * motion.size || !motion.position_now.is_ahead()) motion.position_now = {centre, true};
     motion.size = std::max(motion.size, size);

@@ -48,7 +48,7 @@ const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame)
   return result_;
 }
 
-/// Algorithm 1 of the paper, and what prepares the next frame.
+/// Algorithm 1 of the paper, and the preparation of the next frame.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) {
   const auto ends = [this](Stage stage) { result_.stage_ms[static_cast<std::size_t>(stage)] = stopwatch_.lap(); };
@@ -73,7 +73,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   late_masks_.advance(camera_step);
   ends(Stage::Camera);
 
-  // Objects, where they are expected; masks, of the network and of what moves in the background.
+  // Predicted places of the objects. Masks of the network and of moving regions in the background.
   const Interval interval{previous_.get(), cur, camera_step};
   tracks_.drop_lost();
   tracks_.predict(tracks_.all(), interval, setup());
@@ -98,8 +98,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   late_masks_.await(current_, camera_step, segmented, options_.mask, tracks_.all());
 }
 
-/// @return seconds since the previous frame; 0 if there is none to align to: after too long a gap the ids stay, and
-/// what was seen before it is dropped.
+/// @return seconds since the previous frame; 0 if there is none to align to. After too long a gap the ids are kept, but
+/// the earlier frames are dropped.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 double Dot<Camera, Classifier, Noise, Aligner>::start_interval(double timestamp) {
   const double seconds = current_ ? timestamp - current_->timestamp : 0;
@@ -112,8 +112,8 @@ double Dot<Camera, Classifier, Noise, Aligner>::start_interval(double timestamp)
   return 0;
 }
 
-/// Adds the regions that contradict a standing scene to the observations. They go the way of the network's: a track,
-/// fits, a belief. Until that is decided *moving* the track is a candidate, of which nothing is shown.
+/// Adds the regions that contradict a static scene to the observations. Like those of the network they get a track,
+/// fits and a belief. Until the belief is decided *moving* the track is a candidate and is not shown.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::discover(const FrameData& cur, const CameraStep& camera_step) {
   if (!camera_step.known() || !camera_tracker_.is_sure()) discovery_.clear();
@@ -125,7 +125,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::discover(const FrameData& cur, con
   for (Mask& mask : discovery_.masks) observations_.add_discovered(mask, cur.inverse_depth(), camera_);
 }
 
-/// What the next frames are compared with: points of the background and of each object.
+/// Stores the data that the next frames are compared with: points of the background and of each object.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::remember(const CameraStep& camera_step) {
   const FrameData& cur = *current_;
@@ -171,8 +171,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::reset() noexcept {
     depth_noise.pixel_scale = depth_noise.shared_scale = depth_noise.shared_drift_scale = 1;
 }
 
-/// Runs `body`. On an exception, resets: half a frame leaves no state to go on from. OpenCV has an exception of its own
-/// for a lack of memory; it leaves as std::bad_alloc.
+/// Runs `body`. Resets on an exception, because a partly processed frame leaves no valid state. OpenCV has its own
+/// exception for a lack of memory; it is rethrown as std::bad_alloc.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 template <typename Body>
 void Dot<Camera, Classifier, Noise, Aligner>::reset_unless_done(Body&& body) {

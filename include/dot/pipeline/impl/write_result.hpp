@@ -12,7 +12,7 @@ DOT_BEGIN_NAMESPACE
 
 namespace writing {
 
-/// Row by row.
+/// Copies row by row.
 template <typename Derived, typename Out>
 void copy(const Eigen::MatrixBase<Derived>& m, Out& out) {
   for (Eigen::Index r = 0; r < m.rows(); ++r)

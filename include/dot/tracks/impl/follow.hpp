@@ -46,7 +46,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::predict(Track& t, const Interva
   t.segmented = false;
   t.observed = nullptr;
   t.outline.is_newest &= camera.known();
-  // Compared with what the camera saw before a guess, all that stands would move.
+  // After a guessed camera motion, everything static would seem to move against earlier frames.
   if (!camera.known()) t.motion.forget_references(Reason::CameraLost);
   for (ObjectReference& r : t.motion.references)
     if (r.points.subtract_bias(interval.cur.bias, setup.camera.width(), setup.camera.height())) r.set_centroid();
@@ -91,8 +91,8 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(const List& tracks, cons
   }
 }
 
-/// Whether one object may hide a part of the other, which therefore waits for it: their outlines, as predicted and as
-/// observed, with as much room around as they may move unexpectedly.
+/// Whether one object may hide a part of the other. The farther one then waits for the nearer one. Compares their
+/// predicted and observed outlines, with a margin for unexpected motion.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 bool Tracks<Camera, Classifier, Noise, Aligner>::may_touch(const Track& a, const Track& b) {
   const auto masks_of = [](const Track& t) {
@@ -109,8 +109,8 @@ bool Tracks<Camera, Classifier, Noise, Aligner>::may_touch(const Track& a, const
   return false;
 }
 
-/// One object: its step, what that makes believe, and all of it carried into the current frame. Outlines of standing
-/// things are carried by T_c alone, so that they do not drift with the noise of the fits.
+/// Follows one object: estimates its step, updates its belief and moves all of it into the current frame. Outlines of
+/// static objects are moved by T_c alone, so that they do not drift with the noise of the fits.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval& interval,
                                                         const Observations& observations,
@@ -136,15 +136,15 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval
   t.expected = t.motion.position_now;
   TrackedOutline& outline = t.outline;
   outline.T_now_shape = camera.T_cur_prev * T_o_outline * outline.T_now_shape;
-  // What was observed needs no prediction, and what is static was predicted by the same motion.
+  // An observed object needs no prediction, and a static one was predicted by the same motion.
   const bool same =
       outline.T_frame_shape.R == outline.T_now_shape.R && outline.T_frame_shape.t == outline.T_now_shape.t;
   if (!t.observed && !same)
     outline.warp_by(outline.T_now_shape, interval.cur.inverse_depth(), setup.camera, setup.mask, worker.outline);
 }
 
-/// Updates the belief by the step. @param R_cur_fit takes the fit's axes to the current camera's.
-/// @param seconds since the frame before. @param dt that the classifier is to predict by.
+/// Updates the belief by the step. @param R_cur_fit rotates from the fit's axes to the current camera's.
+/// @param seconds since the frame before. @param dt seconds by which the classifier predicts.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::decide(Track& t, const FrameData& cur,
                                                         const Matrix3<double>& R_cur_fit, double seconds, double dt,

@@ -42,8 +42,8 @@ void Tracks<Camera, Classifier, Noise, Aligner>::place(Track& t, const Interval&
     if (segmented) outline.is_newest = false;
     outline.mask = outline.warped.mask;
     outline.visible = outline.mask.area >= setup.mask.min_pixels;
-    // What the last segmentation should have shown and did not may be missed or gone; fits may have locked onto
-    // something else. It is carried on, but counts as seen only once a network shows it again.
+    // The last segmentation should have shown the object but did not. The network may have missed it, or it is gone and
+    // the fits lock onto something else. It is still tracked, but counts as seen only when a network shows it again.
     if (outline.visible && segmented && !t.identity.discovered) outline.contradicted = true;
   }
   const bool follows = t.identity.discovered ? !t.candidacy.is_candidate : !outline.contradicted;
@@ -57,7 +57,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::place(Track& t, const Interval&
   }
 }
 
-/// A step for an object to which no earlier mask led.
+/// Finds the step of an object that no earlier mask explains.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::align_backwards(Track& t, const Interval& interval,
                                                                  const Discovery<Camera, Noise>& discovery,
@@ -69,8 +69,8 @@ void Tracks<Camera, Classifier, Noise, Aligner>::align_backwards(Track& t, const
   t.motion.correct(*fit, T_c);
   t.expected = t.motion.position_now;
   ObjectStep& step = t.motion.step;
-  if (step.has_evidence) return;  // an older frame has told already
-  // What is believed already was carried to this frame, so the evidence comes in its axes.
+  if (step.has_evidence) return;  // an older frame gave evidence already
+  // The belief was already predicted to this frame, so the evidence is given in this frame's axes.
   step.evidence = fit->motion;
   step.evidence.velocity = T_c.R * step.evidence.velocity;
   step.evidence.covariance = T_c.R * step.evidence.covariance * T_c.R.transpose();
@@ -95,13 +95,13 @@ int Tracks<Camera, Classifier, Noise, Aligner>::start(Observations& observations
     if (o.discovered) t.candidacy.support = discovery.support(o.mask);
   }
   choose_followed(setup.estimator.settings.max_fitted);
-  // Of more than twice as many as there may be instances, those that were not seen for longest are dropped.
+  // At most twice as many tracks as instances are kept. The tracks that were not seen for longest are dropped.
   constexpr std::size_t kTracksOfInstance = 2;
   drop_surplus(kTracksOfInstance * static_cast<std::size_t>(setup.mask.max_instances));
   return too_small;
 }
 
-/// The largest are those whose motion is estimated.
+/// Selects the largest objects. Only their motion is estimated.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::choose_followed(int most) {
   const auto count = static_cast<std::size_t>(most);

@@ -37,11 +37,13 @@ struct Drive : StageFilm {
     labels.fill(0);
   }
 
+  std::vector<const dot::PointSet*> objects;
+
   CameraStep next(const dot::HostMotion& host = {}) {
     advance();
     const double seconds = prev ? cur->timestamp - prev->timestamp : 0;
     const CameraStep step =
-        tracker.track(prev, *cur, seconds, host, camera, estimator, workspace.aligner, workspace.minima);
+        tracker.track(prev, *cur, seconds, host, objects, camera, estimator, workspace.aligner, workspace.minima);
     tracker.learn_depth(*cur, step, camera, {}, estimator.settings.min_points, setup.noise);
     const dot::Selector<dot::Pinhole, dot::DepthNoise> select{
         camera, setup.noise, cur->pyramid, cur->inverse_depth().view(), setup.selection, workspace.selection};

@@ -38,6 +38,9 @@ Pyramid pyramid_of(const Rendering& view) {
   return pyramid;
 }
 
+const std::vector<const PointSet*> no_objects;
+const dot::MotionEvidence nobody{no_objects, {}};
+
 /// From standing still at `reference`, without a velocity.
 Alignment found(const Rendering& reference, const Rendering& current, double metres, double radians = 0.12,
                 const Pinhole& by = camera, const CameraMotionEstimator& estimator = {}) {
@@ -47,7 +50,7 @@ Alignment found(const Rendering& reference, const Rendering& current, double met
   DirectAligner<> aligner;
   dot::MinimaWorkspace workspace;
   const dot::CameraSearch search{metres, radians, before, {}};
-  return estimator.estimate(points, pyramid_of(current), by, {SE3d{}}, &search, aligner, workspace);
+  return estimator.estimate(points, pyramid_of(current), by, {SE3d{}}, &search, nobody, aligner, workspace);
 }
 
 class FarForward : public testing::TestWithParam<double> {};
@@ -234,7 +237,8 @@ TEST(MovingShadows, DoNotCaptureTheRefinement) {
     const Alignment huber = aligner.align(dot::AlignProblem<Pinhole>{points, now, camera}, {truth}, 1, 1);
     EXPECT_GT(pose_distance(points, camera, huber.state.T, truth), 3);
     dot::MinimaWorkspace workspace;
-    const Alignment a = CameraMotionEstimator{}.estimate(points, now, camera, {truth}, nullptr, aligner, workspace);
+    const Alignment a =
+        CameraMotionEstimator{}.estimate(points, now, camera, {truth}, nullptr, nobody, aligner, workspace);
     EXPECT_LT(pose_distance(points, camera, a.state.T, truth), 0.2);
   }
 }
@@ -277,7 +281,8 @@ TEST(MovingShadows, AreLeftAlongTheAxis) {
     const SE3d captured = SE3d::translation(Vector3<double>(0, 0, shadows - ahead));
     DirectAligner<> aligner;
     dot::MinimaWorkspace workspace;
-    const Alignment a = CameraMotionEstimator{}.estimate(points, now, camera, {captured}, nullptr, aligner, workspace);
+    const Alignment a =
+        CameraMotionEstimator{}.estimate(points, now, camera, {captured}, nullptr, nobody, aligner, workspace);
     EXPECT_LT((a.state.T.t + Vector3<double>(0, 0, ahead)).norm(), 0.005) << shadows;
   }
 }

@@ -44,6 +44,30 @@ TEST(PointSet, TakesAllOrNone) {
   EXPECT_EQ(few.size(), 0);
 }
 
+TEST(PointSet, TakesThoseThatMeetACondition) {
+  PointSet some = numbered(30);  // to be replaced
+  some.take_if(numbered(8), [](std::size_t i) { return i == 1 || i == 6; });
+  EXPECT_EQ(some.u, (std::vector<float>{1, 6}));
+  EXPECT_EQ(some.sigma_q, (std::vector<float>{50, 300}));
+  EXPECT_EQ(some.intensity[1], (std::vector<float>{101, 106}));
+  EXPECT_EQ(some.levels, 2);
+}
+
+TEST(PointSet, AppendsOthersWithTheLevelsThatBothHave) {
+  PointSet all = numbered(2), others = numbered(5);
+  others.levels = 1;
+  others.bias.coefficients[0] = 0.5;
+  all.append_every(2, others);
+  EXPECT_EQ(all.u, (std::vector<float>{0, 1, 0, 2, 4}));
+  EXPECT_EQ(all.intensity[0], (std::vector<float>{0, 1, 0, 2, 4}));
+  EXPECT_EQ(all.levels, 1);
+  EXPECT_TRUE(all.bias.is_zero());
+  PointSet none;
+  none.append_every(1, numbered(3));
+  EXPECT_EQ(none.levels, 2);
+  EXPECT_EQ(none.size(), 3);
+}
+
 // Of a bias that becomes known bit by bit, each point loses what the last one says at its place.
 TEST(PointSet, TakesWhatBecomesKnownOfABias) {
   PointSet points;

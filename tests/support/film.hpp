@@ -66,9 +66,10 @@ class Film {
   std::function<void(int, Frame&)> edit;       ///< changes the fields of a frame
 
   /// Adds a car of this id on its path.
-  void add(std::uint32_t id, Path path) {
-    scene_.bodies.push_back(car(id, 1000 * id));
-    paths_[id] = std::move(path);
+  void add(std::uint32_t id, Path path) { add(car(id, 1000 * id), std::move(path)); }
+  void add(Body body, Path path) {
+    paths_[body.id] = std::move(path);
+    scene_.bodies.push_back(std::move(body));
   }
 
   /// Renders the next frame. Masks are given as an id image; `edit` may take them away.

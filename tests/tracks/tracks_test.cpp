@@ -27,6 +27,19 @@ TEST(Tracks, TellWhatMovesFromWhatStands) {
   EXPECT_LT((street.find(mover)->belief.velocity_now - Vector3<double>(3, 0, 0)).norm(), 0.3);
 }
 
+TEST(Tracks, LendThePointsOfAPastFrameOnKnownObjects) {
+  StageStreet street;
+  street.next(true);
+  const double first = street.cur->timestamp;
+  EXPECT_EQ(street.tracks.points_of(first).size(), 2u);
+  street.next(true);
+  EXPECT_EQ(street.tracks.points_of(street.cur->timestamp).size(), 2u);
+  EXPECT_EQ(street.tracks.points_of(first).size(), 2u) << "it is a reference still";
+  EXPECT_TRUE(street.tracks.points_of(first - 1).empty());
+  for (Track* t : street.tracks.all()) t->identity.discovered = true;
+  EXPECT_TRUE(street.tracks.points_of(first).empty()) << "what no network has shown is background";
+}
+
 TEST(Tracks, CarryOutlinesWhereNoMaskComes) {
   StageStreet street;
   for (int i = 0; i < 4; ++i) street.next(i == 0);

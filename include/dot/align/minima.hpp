@@ -67,8 +67,10 @@ struct MinimaWorkspace {
   std::vector<std::pair<double, std::size_t>> ranked;  ///< costs of the minima
   std::vector<Alignment> kept;
   std::vector<float> depths;
-  PointSet few;      ///< a part of the points, to rank many places
-  PointSet distant;  ///< points at infinity
+  PointSet few;          ///< a part of the points, to rank many places
+  PointSet distant;      ///< points at infinity
+  PointSet unexplained;  ///< the points that another motion does not explain
+  std::vector<float> point_costs, other_costs;
 };
 
 DOT_END_NAMESPACE

@@ -31,6 +31,10 @@ class PointCosts {
     open_.push_back(place);
   }
 
+  /// The costs of a place's points. Places count from 0 in the order of `add`. A point that is not seen has a negative
+  /// cost.
+  const std::vector<float>& of(std::size_t place) const { return costs_[place]; }
+
   /// Cost of a place over that of another: of the points that both see or, if these are too few, of those that each
   /// sees.
   double ratio(std::size_t place, std::size_t other) const {

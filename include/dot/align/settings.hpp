@@ -30,8 +30,9 @@ struct CameraSettings {
   double multistart_margin = 0.005;  ///< a later start must be better by this share of the cost
   double search_speed = 45;          ///< m/s: range of the starts while the speed is unknown
   double search_turn = 1.2;          ///< rad/s: the same for rotations, up to 0.2 rad
-  double multistart_shift = 0.8;     ///< metres: range of the shifted starts along the least determined direction
-  double covariance_scale = 4;       ///< factor on Sigma_x, because residuals of neighbouring points are correlated
+  double max_acceleration = 20;  ///< m/s^2 of the camera; of two motions that explain the image, one within it is taken
+  double multistart_shift = 0.8;  ///< metres: range of the shifted starts along the least determined direction
+  double covariance_scale = 4;    ///< factor on Sigma_x, because residuals of neighbouring points are correlated
 };
 
 }  // namespace dot

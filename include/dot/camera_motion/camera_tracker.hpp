@@ -30,9 +30,10 @@ class CameraTracker {
  public:
   /// The camera's motion from `prev` to `cur` (paper, section 3.3).
   /// @param prev null if there is none. @param seconds from `prev` to `cur`; 0 if it is too long or `prev` is null.
+  /// @param objects their points in `prev`. Objects that stand confirm the motion, see MotionChoice.
   CameraStep track(const FramePtr& prev, const FrameData& cur, double seconds, const HostMotion& host,
-                   const Camera& camera, const CameraMotionEstimator& estimator, Aligner& aligner,
-                   MinimaWorkspace& workspace);
+                   const std::vector<const PointSet*>& objects, const Camera& camera,
+                   const CameraMotionEstimator& estimator, Aligner& aligner, MinimaWorkspace& workspace);
 
   /// Learns the noise and bias of the depth from the background. Must be called after `track`. @param noise is scaled.
   void learn_depth(const FrameData& cur, const CameraStep& step, const Camera& camera, const AlignSettings& settings,
@@ -65,12 +66,15 @@ class CameraTracker {
   }
 
  private:
+  static constexpr double kShake = 0.02;  ///< metres by which two intervals differ at any acceleration
+
   /// T_cur_prev of each start, the most trusted first: from the host, and at constant velocity.
   void predict(const HostMotion& host, double seconds);
   void take_host_motion(const CameraMotion& motion, const FrameData& cur, const Camera& camera, Aligner& aligner,
                         CameraStep& step) const;
-  void estimate(const FramePtr& prev, const FrameData& cur, bool expected, const Camera& camera,
-                const CameraMotionEstimator& estimator, Aligner& aligner, MinimaWorkspace& workspace, CameraStep& step);
+  void estimate(const FramePtr& prev, const FrameData& cur, bool expected, const std::vector<const PointSet*>& objects,
+                const Camera& camera, const CameraMotionEstimator& estimator, Aligner& aligner,
+                MinimaWorkspace& workspace, CameraStep& step);
   static Matrix6<double> covariance_of_guess(const CameraSettings& settings, double seconds);
 
   Background background_;

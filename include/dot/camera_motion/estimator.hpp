@@ -12,7 +12,9 @@
 #include "dot/align/aligner.hpp"
 #include "dot/align/minima.hpp"
 #include "dot/align/settings.hpp"
+#include "dot/camera_motion/motion_choice.hpp"
 #include "dot/camera_motion/search.hpp"
+#include "dot/camera_motion/second_motion.hpp"
 #include "dot/statistics/median.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -38,8 +40,8 @@ struct CameraMotionEstimator {
   /// next best minimum.
   template <typename Camera, typename Aligner>
   Alignment estimate(const PointSet& points, const Pyramid& image, const Camera& camera,
-                     const std::vector<SE3d>& predicted, const CameraSearch* search, Aligner& aligner,
-                     MinimaWorkspace& workspace) const {
+                     const std::vector<SE3d>& predicted, const CameraSearch* search, const MotionEvidence& evidence,
+                     Aligner& aligner, MinimaWorkspace& workspace) const {
     const AlignProblem<Camera> problem{points, image, camera};
     const int top = std::min(points.levels, image.size()) - 1, fine = std::min(1, top);
     // Minima are compared on the second finest level. Only the remaining ones are refined on the finest.
@@ -91,7 +93,10 @@ struct CameraMotionEstimator {
     for (const Alignment& a : minima.found) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, fine));
     if (search) {
       keep_best(few, fine, sigma, aligner, workspace);
+      const auto second = SecondMotion::find(few, minima.found.front().state, *search, evidence, depth, fine, sigma,
+                                             aligner, workspace);
       for (Alignment& a : minima.found) a = aligner.align(problem, a.state, fine, fine);
+      if (second) add_near(*second);
     }
     const std::size_t unshifted = minima.found.size();
     for (std::size_t i = 0; i < unshifted; ++i) {
@@ -103,7 +108,15 @@ struct CameraMotionEstimator {
     std::vector<Alignment>& candidates = minima.found;
     if (fine > 0)
       for (Alignment& a : candidates) a = aligner.align_near(problem, a.state, 0);
-    return best(problem, candidates, aligner, workspace);
+    if (candidates.size() == 1) {
+      aligner.reject_outliers_and_refit(problem, candidates[0], true);
+      return candidates[0];
+    }
+    const MotionChoice choice(problem, candidates, predicted.back(), evidence, settings, aligner, workspace);
+    Alignment& chosen = candidates[choice.chosen];
+    if (choice.rival) return refined(choice, problem, candidates, aligner, workspace);
+    aligner.reject_outliers_and_refit(problem, chosen);
+    return chosen;
   }
 
   /// Whether the result of `estimate` is trusted. @param known the motion was predicted.
@@ -115,15 +128,14 @@ struct CameraMotionEstimator {
   }
 
  private:
-  static constexpr double kMinGain = 0.2;         ///< least ratio of the exposures of two frames
-  static constexpr std::size_t kCompared = 8;     ///< minima whose neighbourhood is searched
-  static constexpr int kRanked = 500;             ///< points for ranking many places, at least
-  static constexpr int kSearched = 800;           ///< the same for a search
-  static constexpr int kEnoughRanked = 100;       ///< of these a minimum must see so many, or min_points if fewer
-  static constexpr int kStepsAhead = 16;          ///< number of shifts to each side; 5 cm each on a road
-  static constexpr int kSteps = 6;                ///< the same along the least determined direction
-  static constexpr double kHopeless = 1.5;        ///< largest cost of a shift, over the cost of its start
-  static constexpr double kAnotherMinimum = 5.0;  ///< pixels between the points at two different minima
+  static constexpr double kMinGain = 0.2;      ///< least ratio of the exposures of two frames
+  static constexpr std::size_t kCompared = 8;  ///< minima whose neighbourhood is searched
+  static constexpr int kRanked = 500;          ///< points for ranking many places, at least
+  static constexpr int kSearched = 800;        ///< the same for a search
+  static constexpr int kEnoughRanked = 100;    ///< of these a minimum must see so many, or min_points if fewer
+  static constexpr int kStepsAhead = 16;       ///< number of shifts to each side; 5 cm each on a road
+  static constexpr int kSteps = 6;             ///< the same along the least determined direction
+  static constexpr double kHopeless = 1.5;     ///< largest cost of a shift, over the cost of its start
 
   /// Sets the starts to shifts that may lead to other minima. Shifts go along the optical axis, where the near ground
   /// looks alike at small steps, and along the least determined direction, without and with the rotation, gain and
@@ -170,6 +182,22 @@ struct CameraMotionEstimator {
     return 1 / static_cast<double>(median(q.begin(), q.end()));
   }
 
+  /// The chosen motion, measured again without the points that belong to its rival: they are a large part of all, and
+  /// would bias it.
+  template <typename Camera, typename Aligner>
+  Alignment refined(const MotionChoice& choice, const AlignProblem<Camera>& problem,
+                    const std::vector<Alignment>& candidates, Aligner& aligner, MinimaWorkspace& workspace) const {
+    const std::vector<float>&cost = workspace.costs.of(choice.chosen), &rivals = workspace.costs.of(*choice.rival);
+    PointSet& own = workspace.unexplained;
+    own.take_if(problem.points, [&](std::size_t i) { return rivals[i] < 0 || cost[i] <= rivals[i]; });
+    const AlignProblem<Camera> rest{own, problem.image, problem.camera};
+    Alignment a = aligner.align(rest, candidates[choice.chosen].state, 0, 0);
+    a.margin = candidates[choice.chosen].margin;
+    aligner.reject_outliers_and_refit(rest, a, true);
+    a.covariance.diagonal().template head<6>() += choice.doubt;
+    return a;
+  }
+
   /// Drops minima that are not among the best on a level.
   template <typename Camera, typename Aligner>
   void keep_best(const AlignProblem<Camera>& problem, int level, double sigma, Aligner& aligner,
@@ -185,28 +213,6 @@ struct CameraMotionEstimator {
       costs.remove(next);
     }
     std::swap(kept, found);
-  }
-
-  /// The best candidate. A later one must be better by a margin, so that equal minima do not alternate.
-  template <typename Camera, typename Aligner>
-  Alignment best(const AlignProblem<Camera>& problem, std::vector<Alignment>& candidates, Aligner& aligner,
-                 MinimaWorkspace& workspace) const {
-    if (candidates.size() == 1) {
-      aligner.reject_outliers_and_refit(problem, candidates[0], true);
-      return candidates[0];
-    }
-    double sigma = std::numeric_limits<double>::infinity();
-    for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
-    PointCosts& costs = workspace.costs;
-    costs.clear();
-    for (const Alignment& a : candidates) costs.add(problem, a.state, 0, sigma, aligner);
-    const std::size_t chosen = costs.best(settings.multistart_margin);
-    Alignment& a = candidates[chosen];
-    for (std::size_t i = 0; i < candidates.size(); ++i)
-      if (pose_distance(problem.points, problem.camera, candidates[i].state.T, a.state.T) > kAnotherMinimum)
-        a.margin = std::min(a.margin, std::max(0.0, costs.ratio(i, chosen) - 1));
-    aligner.reject_outliers_and_refit(problem, a);
-    return a;
   }
 };
 

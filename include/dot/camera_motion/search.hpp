@@ -29,9 +29,16 @@ struct CameraSearch {
   template <typename Camera, typename Aligner>
   void find(const AlignProblem<Camera>& problem, double depth, double sigma, Aligner& aligner,
             MinimaWorkspace& workspace) const {
+    find_turns(problem, aligner, workspace);
+    find_shifts(problem, depth, sigma, aligner, workspace);
+  }
+
+  /// The same for other points, with the turns that `find` found.
+  template <typename Camera, typename Aligner>
+  void find_shifts(const AlignProblem<Camera>& problem, double depth, double sigma, Aligner& aligner,
+                   MinimaWorkspace& workspace) const {
     auto& tried = workspace.tried;
     tried.clear();
-    find_turns(problem, aligner, workspace);
     for (const auto& turn : workspace.turns) {
       const std::size_t others = tried.size();
       add_shifts(problem, moved(turn.second, turn.second.T * T_before_j), depth, sigma, aligner, tried);

@@ -60,6 +60,7 @@ void for_each_option_range(AnyOptions& o, Visitor&& visit) {
   DOT_OPTION(camera.min_margin, 0, 1);
   DOT_OPTION(camera.min_inliers, 0, 1);
   DOT_OPTION(camera.search_speed, 0, 1e3);
+  DOT_OPTION(camera.max_acceleration, 0, 1e4);
   DOT_OPTION(camera.search_turn, 0, 20);
   DOT_OPTION(camera.multistart_margin, 0, 1);
   DOT_OPTION(camera.multistart_shift, 0, 100);

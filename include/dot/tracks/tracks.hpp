@@ -42,6 +42,8 @@ class Tracks {
     return that([](const Track&) { return true; });
   }
   std::size_t size() const { return tracks_.size(); }
+  /// The points of a past frame on the objects that a network showed; valid until the next call, or until `remember`.
+  const std::vector<const PointSet*>& points_of(double timestamp);
   std::vector<Worker>& workers() { return workers_; }
 
   /// Predicts the places of `tracks` in the current frame at constant velocity.
@@ -117,11 +119,12 @@ class Tracks {
 
   std::vector<Worker> workers_;
   Assignment assignment_;
-  Image<std::uint8_t> nearer_;  ///< where objects nearer than those being followed were found
-  List selected_;               ///< result of `that`
-  List order_;                  ///< nearest first
-  List at_once_;                ///< tracks of one round
-  std::vector<int> rounds_;     ///< for each in `order_`: the round that follows it
+  Image<std::uint8_t> nearer_;           ///< where objects nearer than those being followed were found
+  List selected_;                        ///< result of `that`
+  std::vector<const PointSet*> points_;  ///< result of `points_of`
+  List order_;                           ///< nearest first
+  List at_once_;                         ///< tracks of one round
+  std::vector<int> rounds_;              ///< for each in `order_`: the round that follows it
 };
 
 DOT_END_NAMESPACE

@@ -13,9 +13,10 @@ DOT_BEGIN_NAMESPACE
 
 template <typename Camera, typename Noise, typename Aligner>
 CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, const FrameData& cur, double seconds,
-                                                        const HostMotion& host, const Camera& camera,
-                                                        const CameraMotionEstimator& estimator, Aligner& aligner,
-                                                        MinimaWorkspace& workspace) {
+                                                        const HostMotion& host,
+                                                        const std::vector<const PointSet*>& objects,
+                                                        const Camera& camera, const CameraMotionEstimator& estimator,
+                                                        Aligner& aligner, MinimaWorkspace& workspace) {
   CameraStep step;
   step.seconds = seconds;
   background_.points.subtract_bias(cur.bias, camera.width(), camera.height());
@@ -30,7 +31,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   else if (background_.points.size() < estimator.settings.min_points)
     step.status = CameraStatus::TooLittleDepth;
   else
-    estimate(prev, cur, host.prior.has_value(), camera, estimator, aligner, workspace, step);
+    estimate(prev, cur, host.prior.has_value(), objects, camera, estimator, aligner, workspace, step);
 
   velocity_known_ = step.known();
   if (!step.known()) {
@@ -69,13 +70,17 @@ void CameraTracker<Camera, Noise, Aligner>::take_host_motion(const CameraMotion&
 /// @param expected the host gave a start.
 template <typename Camera, typename Noise, typename Aligner>
 void CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const FrameData& cur, bool expected,
-                                                     const Camera& camera, const CameraMotionEstimator& estimator,
-                                                     Aligner& aligner, MinimaWorkspace& workspace, CameraStep& step) {
+                                                     const std::vector<const PointSet*>& objects, const Camera& camera,
+                                                     const CameraMotionEstimator& estimator, Aligner& aligner,
+                                                     MinimaWorkspace& workspace, CameraStep& step) {
   const SE3d& T_prev_points = background_.T_now_points;
   for (SE3d& T : starts_) T = T * T_prev_points;
   const CameraSettings& s = estimator.settings;
   const auto align = [&](const CameraSearch* search) {
-    step.alignment = estimator.estimate(background_.points, cur.pyramid, camera, starts_, search, aligner, workspace);
+    MotionEvidence evidence{objects, T_prev_points.inverse()};
+    if (!search) evidence.reach = s.max_acceleration * step.seconds * step.seconds + kShake;
+    step.alignment =
+        estimator.estimate(background_.points, cur.pyramid, camera, starts_, search, evidence, aligner, workspace);
   };
   const CameraSearch search{s.search_speed * step.seconds, s.search_turn * step.seconds, prev->pyramid, T_prev_points};
   align(velocity_known_ ? nullptr : &search);

@@ -66,8 +66,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   // T_c from the background of the previous frame, or the host's.
   auto& worker = tracks_.workers()[0].object;
   const CameraStep camera_step =
-      camera_tracker_.track(previous_, cur, seconds, {frame.camera_motion, frame.camera_prior}, camera_,
-                            camera_estimator, worker.aligner, worker.minima);
+      camera_tracker_.track(previous_, cur, seconds, {frame.camera_motion, frame.camera_prior},
+                            tracks_.points_of(previous_ ? previous_->timestamp : 0), camera_, camera_estimator,
+                            worker.aligner, worker.minima);
   camera_tracker_.learn_depth(cur, camera_step, camera_, options_.align, camera_estimator.settings.min_points,
                               depth_noise);
   late_masks_.advance(camera_step);

@@ -27,6 +27,17 @@ auto Tracks<Camera, Classifier, Noise, Aligner>::that(Condition&& condition) -> 
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+const std::vector<const PointSet*>& Tracks<Camera, Classifier, Noise, Aligner>::points_of(double timestamp) {
+  points_.clear();
+  for (const Track& t : tracks_) {
+    if (t.identity.discovered) continue;
+    for (const ObjectReference& r : t.motion.references)
+      if (r.timestamp == timestamp && r.points.size() > 0) points_.push_back(&r.points);
+  }
+  return points_;
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::forget_references() {
   for (Track& t : tracks_) t.motion.forget_references(Reason::NoReference), t.motion.has_T_o_now = false;
 }

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "dot/points/point_set.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Votes for one of two motions, by the cells of a grid over the image. A cell votes for the motion that explains its
+/// points clearly better. A sum over all points counts texture: a lorry with lettering has more of it than a road.
+/// Cells count area.
+struct CellVotes {
+  static constexpr int kColumns = 16, kRows = 8;
+  static constexpr int kMinPoints = 4;     ///< of a cell that may vote
+  static constexpr float kClearly = 0.6f;  ///< share of the other motion's cost
+
+  int first = 0, second = 0;
+
+  /// Adds the votes of some points. @param cost_first, cost_second of each point; negative where it is not seen.
+  void add(const PointSet& points, const std::vector<float>& cost_first, const std::vector<float>& cost_second,
+           int width, int height) {
+    struct Cell {
+      int count = 0;
+      float first = 0, second = 0;
+    };
+    std::array<Cell, kColumns * kRows> cells{};
+    for (std::size_t i = 0; i < cost_first.size(); ++i) {
+      if (cost_first[i] < 0 || cost_second[i] < 0) continue;
+      const int x = static_cast<int>(points.u[i]) * kColumns / width,
+                y = static_cast<int>(points.v[i]) * kRows / height;
+      Cell& cell =
+          cells[static_cast<std::size_t>(std::clamp(y, 0, kRows - 1) * kColumns + std::clamp(x, 0, kColumns - 1))];
+      ++cell.count, cell.first += cost_first[i], cell.second += cost_second[i];
+    }
+    for (const Cell& cell : cells) {
+      if (cell.count < kMinPoints) continue;
+      first += cell.first < kClearly * cell.second;
+      second += cell.second < kClearly * cell.first;
+    }
+  }
+};
+
+DOT_END_NAMESPACE

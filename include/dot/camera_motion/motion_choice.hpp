@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "dot/align/aligner.hpp"
+#include "dot/align/cell_votes.hpp"
+#include "dot/align/minima.hpp"
+#include "dot/align/settings.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// What tells of the camera's motion besides the background.
+struct MotionEvidence {
+  const std::vector<const PointSet*>& objects;  ///< their points in the previous frame; any of them may stand
+  SE3d T_points_prev;                           ///< from the previous frame to that of the background's points
+  /// Metres by which the motion may differ from the one predicted at constant velocity; infinite: no velocity is known.
+  double reach = std::numeric_limits<double>::infinity();
+};
+
+/// Chooses the camera's motion among the minima of the background's cost.
+///
+/// The minimum of least cost is right as long as most texture stands. A large object that moves and has no mask is part
+/// of the background, and can have more texture than everything else. Its motion then has the least cost. But it covers
+/// only a part of the image, and the objects that stand contradict it. Two minima are in contest if each of them
+/// explains a large part of the image. The chosen one is then the one that the camera can reach from its velocity. If
+/// it can reach both or none, the cells of the image decide, of the background and of the objects.
+class MotionChoice {
+ public:
+  static constexpr double kAnotherMinimum = 5.0;  ///< pixels between the points at two different minima
+
+  std::size_t chosen = 0;
+  std::optional<std::size_t> rival;  ///< the one in contest with it, if there is one, with the most votes
+  /// Variance of each component of the chosen motion's left twist, if the votes are close: the squared distance to its
+  /// rival, of translation and of rotation. Otherwise zero.
+  Vector6<double> doubt = Vector6<double>::Zero();
+
+  /// Chooses, and sets the margin of the chosen minimum over the next best.
+  /// @param candidates at least one, aligned on level 0. @param predicted motion at constant velocity, if it is known.
+  template <typename Camera, typename Aligner>
+  MotionChoice(const AlignProblem<Camera>& problem, std::vector<Alignment>& candidates, const SE3d& predicted,
+               const MotionEvidence& evidence, const CameraSettings& settings, Aligner& aligner,
+               MinimaWorkspace& workspace) {
+    double sigma = std::numeric_limits<double>::infinity();
+    for (const Alignment& a : candidates) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, 0));
+    PointCosts& costs = workspace.costs;
+    costs.clear();
+    for (const Alignment& a : candidates) costs.add(problem, a.state, 0, sigma, aligner);
+    // A later candidate must be better by a margin, so that equal minima do not alternate.
+    chosen = costs.best(settings.multistart_margin);
+
+    const auto for_each_other = [&](auto&& visit) {
+      for (std::size_t i = 0; i < candidates.size(); ++i)
+        if (pose_distance(problem.points, problem.camera, candidates[i].state.T, candidates[chosen].state.T) >
+            kAnotherMinimum)
+          visit(i, count(problem, candidates, i, sigma, evidence, aligner, workspace));
+    };
+    const auto can_reach = [&](std::size_t i) {
+      return (candidates[i].state.T.t - predicted.t).norm() <= evidence.reach;
+    };
+    for_each_other([&](std::size_t i, const CellVotes& votes) {
+      if (votes.second == 0) return;
+      const bool wins = can_reach(i) == can_reach(chosen) ? votes.second > votes.first : can_reach(i);
+      if (wins) chosen = i;
+    });
+    Alignment& a = candidates[chosen];
+    double least = std::numeric_limits<double>::infinity();
+    for_each_other([&](std::size_t i, const CellVotes& votes) {
+      const double lead = votes.second > 0 ? 1.0 * votes.first / votes.second : costs.ratio(i, chosen);
+      a.margin = std::min(a.margin, std::max(0.0, lead - 1));
+      if (votes.second > 0 && lead < least) least = lead, rival = i;
+    });
+    if (least < kMajority) {
+      const Vector6<double> d = (candidates[*rival].state.T * a.state.T.inverse()).log();
+      doubt << Vector3<double>::Constant(d.head<3>().squaredNorm()),
+          Vector3<double>::Constant(d.tail<3>().squaredNorm());
+    }
+  }
+
+ private:
+  static constexpr double kContested = 0.3;  ///< votes of the background for another minimum, over those for the chosen
+  static constexpr int kMinVotes = 8;        ///< the same, at least
+  static constexpr double kMajority = 1.15;  ///< votes over those for the other, below which they are close
+
+  /// Votes for the chosen minimum and for another one; all zero where there is no contest.
+  template <typename Camera, typename Aligner>
+  CellVotes count(const AlignProblem<Camera>& problem, const std::vector<Alignment>& candidates, std::size_t other,
+                  double sigma, const MotionEvidence& evidence, Aligner& aligner, MinimaWorkspace& workspace) const {
+    const int width = problem.camera.width(), height = problem.camera.height();
+    CellVotes votes;
+    votes.add(problem.points, workspace.costs.of(chosen), workspace.costs.of(other), width, height);
+    if (votes.second < std::max<double>(kMinVotes, kContested * votes.first)) return {};
+    for (const PointSet* object : evidence.objects) {
+      const AlignProblem<Camera> seen{*object, problem.image, problem.camera};
+      const auto cost = [&](std::size_t i, std::vector<float>& out) {
+        AlignState state = candidates[i].state;
+        state.T = state.T * evidence.T_points_prev;
+        aligner.point_costs(seen, state, 0, sigma, out);
+      };
+      cost(chosen, workspace.point_costs);
+      cost(other, workspace.other_costs);
+      votes.add(*object, workspace.point_costs, workspace.other_costs, width, height);
+    }
+    return votes;
+  }
+};
+
+DOT_END_NAMESPACE

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/camera_motion/motion_choice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "support/exact_points.hpp"
+#include "support/film.hpp"
+
+namespace {
+
+using dot::Alignment;
+using dot::MotionChoice;
+using dot::MotionEvidence;
+using dot::PointSet;
+using dot::SE3d;
+using dot::Vector3;
+using namespace dot::test;
+
+/// Two walls side by side, 6 m ahead. The left one stands. The right one moves to the right at 0.2 m a frame, as if the
+/// camera went to the left. Points of a wall are dense or thin.
+struct TwoWalls {
+  const dot::Pinhole camera{small_camera()};
+  Rendering before, after;
+  dot::Pyramid past, now;
+  dot::DirectAligner<> aligner;
+  dot::MinimaWorkspace workspace;
+  std::vector<const PointSet*> objects;
+  std::vector<Alignment> minima;  ///< the world's motion, the right wall's
+  static constexpr double kShift = 0.2;
+
+  TwoWalls() {
+    Scene scene;
+    const auto wall = [](double x, unsigned seed) {
+      Body body;
+      body.quads.push_back(
+          {Vector3<double>(x, 0, 6), Vector3<double>(5, 0, 0), Vector3<double>(0, 8, 0), Texture(seed, 0.4, 2.5)});
+      return body;
+    };
+    scene.bodies = {wall(-5, 1), wall(5, 2)};
+    before = scene.render(camera, SE3d{});
+    scene.bodies[1].T_world_body = SE3d::translation(Vector3<double>(kShift, 0, 0));
+    after = scene.render(camera, SE3d{});
+    past.build(before.grey.view(), 3), now.build(after.grey.view(), 3);
+    for (const double x : {0.0, kShift}) {
+      Alignment a;
+      a.state.T = SE3d::translation(Vector3<double>(x, 0, 0));
+      minima.push_back(a);
+    }
+  }
+  /// Of the left wall, or of the right one, one point every `step` pixels, in a part of the image.
+  PointSet points(bool right, int step, int top = 0, int bottom = 240) const {
+    return exact_points(
+        before, camera, past, step, [=](int x, int y) { return (right ? x > 170 : x < 150) && y >= top && y < bottom; },
+        0.001f);
+  }
+  static PointSet both(const PointSet& a, const PointSet& b) {
+    PointSet all = a;
+    all.append_every(1, b);
+    return all;
+  }
+  MotionChoice choose(const PointSet& background, const SE3d& predicted = {}, double reach = 1e9) {
+    MotionEvidence evidence{objects, {}, reach};
+    return {
+        dot::AlignProblem<dot::Pinhole>{background, now, camera}, minima, predicted, evidence, {}, aligner, workspace};
+  }
+};
+
+TEST(MotionChoice, LeastCostWinsWhereNothingElseExplainsMuch) {
+  TwoWalls walls;
+  const MotionChoice choice = walls.choose(walls.points(false, 8));
+  EXPECT_EQ(choice.chosen, 0u);
+  EXPECT_FALSE(choice.rival);
+  EXPECT_GT(walls.minima[0].margin, 0.5);
+  EXPECT_EQ(choice.doubt.norm(), 0);
+}
+
+// The right wall has five times as many points, but covers a part of the image only.
+TEST(MotionChoice, AreaWinsOverTexture) {
+  TwoWalls walls;
+  const PointSet all = TwoWalls::both(walls.points(false, 7), walls.points(true, 3, 80, 200));
+  const MotionChoice choice = walls.choose(all);
+  EXPECT_EQ(choice.chosen, 0u);
+  EXPECT_EQ(choice.rival, 1u);
+  EXPECT_EQ(choice.doubt.norm(), 0) << "a clear majority";
+}
+
+TEST(MotionChoice, ObjectsThatStandHaveAVote) {
+  TwoWalls walls;
+  const PointSet all = TwoWalls::both(walls.points(false, 7, 60, 180), walls.points(true, 7));
+  EXPECT_EQ(walls.choose(all).chosen, 1u) << "more of the image";
+  const PointSet above = walls.points(false, 7, 0, 60), below = walls.points(false, 7, 180, 240);
+  walls.objects = {&above, &below, &above, &below};
+  EXPECT_EQ(walls.choose(all).chosen, 0u);
+}
+
+TEST(MotionChoice, TheReachableOneWinsAContest) {
+  TwoWalls walls;
+  const PointSet all = TwoWalls::both(walls.points(false, 7), walls.points(true, 7, 80, 200));
+  EXPECT_EQ(walls.choose(all).chosen, 0u);
+  EXPECT_EQ(walls.choose(all, walls.minima[1].state.T, 0.1).chosen, 1u);
+  EXPECT_EQ(walls.choose(all, walls.minima[1].state.T, 1).chosen, 0u) << "both can be reached";
+}
+
+TEST(MotionChoice, CloseVotesAreADoubtOfTheDistanceBetweenTheTwo) {
+  TwoWalls walls;
+  const PointSet all = TwoWalls::both(walls.points(false, 7), walls.points(true, 7));
+  const MotionChoice choice = walls.choose(all);
+  ASSERT_TRUE(choice.rival);
+  EXPECT_NEAR(choice.doubt[0], TwoWalls::kShift * TwoWalls::kShift, 1e-9);
+  EXPECT_NEAR(choice.doubt[2], TwoWalls::kShift * TwoWalls::kShift, 1e-9);
+  EXPECT_LT(walls.minima[choice.chosen].margin, 0.15);
+}
+
+}  // namespace

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+
+// A network that misses the largest object: it is part of the background, and has most of its texture.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dot/tracker.hpp"
+#include "support/film.hpp"
+
+namespace {
+
+using dot::CameraStatus;
+using dot::ObjectResult;
+using dot::Options;
+using dot::Result;
+using dot::State;
+using dot::Tracker;
+using namespace dot::test;
+
+constexpr std::uint32_t kLorry = 9;
+
+/// The camera drives at 2.5 m/s behind parked cars. A lorry with lettering passes on the right at 5 m/s. The yard has
+/// little contrast.
+Film<> queue() {
+  Film<> film;
+  film.camera_path = straight({0, 0, 0}, {0, 0, 2.5});
+  film.degradation.noise = 1;
+  film.direct = [](int index, Scene& scene) {
+    if (index > 0) return;
+    Body& yard = scene.bodies.front();
+    yard.quads[0].texture = Texture(7, 1.2, 6, 6);
+    yard.quads[1].texture = Texture(8, 0.6, 4, 6);
+  };
+  film.add(1, straight({-3.2, 1.3, 8}));
+  film.add(2, straight({-1.2, 1.3, 10}));
+  film.add(3, straight({-4.4, 1.3, 11}));
+  film.add(box(kLorry, {1.2, 2.2, 3.5}, 77, 0.25, 1.2), straight({2.6, -0.2, 8}, {0, 0, 5}));
+  return film;
+}
+
+/// Takes the lorry's mask away.
+void miss_lorry(Rendering& seen) {
+  for (int y = 0; y < seen.ids.height(); ++y)
+    for (int x = 0; x < seen.ids.width(); ++x)
+      if (seen.ids(x, y) == kLorry) seen.ids(x, y) = 0;
+}
+
+TEST(MissedMask, ALargeObjectDoesNotTakeTheCameraWithIt) {
+  Film<> film = queue();
+  film.spoil = [](int index, Rendering& seen) {
+    if (index < 3) miss_lorry(seen);
+  };
+  Tracker tracker(small_camera(), Options{});
+  int measured = 0;
+  bool lorry_moves = false;
+  for (int i = 0; i < 8; ++i) {
+    const Result& result = film.next(tracker);
+    for (const ObjectResult& o : result.objects) {
+      if (o.instance_id == kLorry)
+        lorry_moves = o.state == State::Moving;
+      else
+        EXPECT_NE(o.state, State::Moving) << "parked car " << o.instance_id << " in " << i;
+    }
+    if (i == 0 || result.camera.status != CameraStatus::Tracked) continue;
+    ++measured;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double error = result.camera.T_cur_prev[static_cast<std::size_t>(4 * axis + 3)] - film.T_c().t[axis];
+      const double sigma = std::sqrt(result.camera.covariance[static_cast<std::size_t>(7 * axis)]);
+      EXPECT_LT(std::abs(error), std::max(0.01, 3 * sigma)) << "frame " << i << ", axis " << axis;
+      EXPECT_LT(std::abs(error), 0.1) << "frame " << i << ", axis " << axis;
+    }
+    if (i > 3) {
+      EXPECT_LT(std::sqrt(result.camera.covariance[14]), 0.02) << "the lorry has its mask";
+    }
+  }
+  EXPECT_GE(measured, 5);
+  EXPECT_TRUE(lorry_moves);
+}
+
+}  // namespace

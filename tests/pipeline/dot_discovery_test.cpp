@@ -100,6 +100,14 @@ TEST(Discovery, FindsWhatCrosses) {
   expect_found(film, 18, 7);
 }
 
+// It stays at its place in the image, and covers there what it would contradict if it were not known.
+TEST(Discovery, KeepsWhatDrivesAhead) {
+  Film<> film = blind_film();
+  film.camera_path = straight({0, 0, 0}, {0, 0, 2});
+  film.add(mover, straight({0.3, 1.3, 7}, {0, 0, 2}));
+  expect_found(film, 22, 9);
+}
+
 // A host without a network gives no masks at all, not even empty ones: no frame was ever segmented.
 TEST(Discovery, FindsWhatCrossesWhenNoMaskEverComes) {
   Film<> film = blind_film();

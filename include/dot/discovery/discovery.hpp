@@ -77,8 +77,8 @@ class Discovery {
     inconsistency_.clear(q.width(), q.height());
     if (history_.empty()) return;
     const Camera cells = camera.at_level(level_);
-    compare(cells, noise, timestamp);
     read(known);
+    compare(cells, noise, timestamp);
 
     const auto sigma = [&](float value) { return noise.pixel_sigma(value); };
     planes_.find(q, cells.intrinsics(), sigma,
@@ -109,7 +109,9 @@ class Discovery {
   }
 
   /// Keeps the frame of the last `find` as a reference. @param ids of the tracks shown, 0 = background.
-  void remember(const Image<std::uint32_t>& ids, double timestamp) {
+  /// @param is_discovered (id) -> bool: whether no network has shown this track.
+  template <typename IsDiscovered>
+  void remember(const Image<std::uint32_t>& ids, IsDiscovered&& is_discovered, double timestamp) {
     while (!history_.empty() && timestamp - history_.back().timestamp > reference_seconds + 1e-6) history_.pop_back();
     thin_newest(history_, reference_seconds);
     Reference& r = history_.push_front();
@@ -117,16 +119,23 @@ class Discovery {
     r.timestamp = timestamp;
     std::swap(r.frame, current_);
     r.standing = r.frame.q;
+    r.discovered.resize(r.standing.width(), r.standing.height());
+    r.discovered.fill(0);
     const int cell = 1 << level_;
     for (int y = 0; y < r.standing.height(); ++y)
-      for (int x = 0; x < r.standing.width(); ++x)
-        if (ids(x * cell, y * cell) || ids(x * cell + cell - 1, y * cell + cell - 1)) r.standing(x, y) = 0;
+      for (int x = 0; x < r.standing.width(); ++x) {
+        const std::uint32_t first = ids(x * cell, y * cell), last = ids(x * cell + cell - 1, y * cell + cell - 1);
+        if (first == 0 && last == 0) continue;
+        const float q = std::exchange(r.standing(x, y), 0);
+        if (first == last && is_discovered(first)) r.discovered(x, y) = q;
+      }
   }
 
  private:
   struct Reference {
     CellFrame frame;
-    Image<float> standing;  ///< inverse depth, 0 where tracks explain the pixel
+    Image<float> standing;    ///< inverse depth, 0 where tracks explain the pixel
+    Image<float> discovered;  ///< inverse depth where a discovered track explains it, 0 elsewhere
     CellMotion motion;
     double timestamp = 0;
   };
@@ -143,6 +152,7 @@ class Discovery {
       r.motion.adjacent = k == 0;
       r.motion.seconds = timestamp - r.timestamp;
       test_(cells, noise, current_, r.frame, r.standing, r.motion, inconsistency_);
+      test_.add_discovered(cells, noise, current_, r.discovered, followed_, r.motion, inconsistency_);
     }
   }
 

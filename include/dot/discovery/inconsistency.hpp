@@ -109,7 +109,17 @@ class InconsistencyTest {
   void operator()(const Camera& camera, const Noise& noise, const CellFrame& current, const CellFrame& reference,
                   const Image<float>& standing, const CellMotion& motion, Inconsistency& out) {
     entered(camera, noise, current, reference, motion, out);
-    left(camera, noise, current, standing, motion, out);
+    left(camera, noise, current, standing, motion, out, [](int, int) { return true; });
+  }
+
+  /// Adds the evidence that discovered objects have left their places. They do not count where they are not expected:
+  /// the background that they uncover does not move.
+  /// @param discovered the reference's inverse depth on objects that were discovered and shown, 0 elsewhere.
+  /// @param followed of the new frame: non-zero where such an object is expected.
+  void add_discovered(const Camera& camera, const Noise& noise, const CellFrame& current,
+                      const Image<float>& discovered, const Image<std::uint8_t>& followed, const CellMotion& motion,
+                      Inconsistency& out) const {
+    left(camera, noise, current, discovered, motion, out, [&](int u, int v) { return followed(u, v) != 0; });
   }
 
  private:
@@ -165,8 +175,10 @@ class InconsistencyTest {
       out.photo(r.x, r.y) = std::max(out.photo(r.x, r.y), std::abs(r.value) / std::sqrt(scale * scale + r.variance));
   }
 
+  /// @param counts (u, v) -> bool: whether the evidence is about this cell.
+  template <typename Counts>
   void left(const Camera& camera, const Noise& noise, const CellFrame& current, const Image<float>& standing,
-            const CellMotion& motion, Inconsistency& out) {
+            const CellMotion& motion, Inconsistency& out, Counts&& counts) const {
     const SE3f T = motion.T_cur_ref.template cast<float>();
     for (int y = 0; y < standing.height(); ++y)
       for (int x = 0; x < standing.width(); ++x) {
@@ -179,7 +191,7 @@ class InconsistencyTest {
         for (int v = v0; v <= v0 + 1; ++v)
           for (int u = u0; u <= u0 + 1; ++u) {
             const float now = current.q(u, v);
-            if (!(now > 0) || m.q * (1 - kLeaving) > now) continue;
+            if (!(now > 0) || m.q * (1 - kLeaving) > now || !counts(u, v)) continue;
             const float rate = (m.q - now) / static_cast<float>(motion.seconds);
             if (motion.adjacent)
               out.receding(u, v) = std::max(out.receding(u, v), rate);

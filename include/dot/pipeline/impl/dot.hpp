@@ -130,8 +130,12 @@ void Dot<Camera, Classifier, Noise, Aligner>::discover(const FrameData& cur, con
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::remember(const CameraStep& camera_step) {
   const FrameData& cur = *current_;
-  if (options_.discover_unknown) discovery_.remember(labeller_.ids(), cur.timestamp);
   const std::vector<Track*>& tracks = tracks_.all();
+  const auto is_discovered = [&](std::uint32_t id) {
+    return std::any_of(tracks.begin(), tracks.end(),
+                       [id](const Track* t) { return t->identity.id == id && t->identity.discovered; });
+  };
+  if (options_.discover_unknown) discovery_.remember(labeller_.ids(), is_discovered, cur.timestamp);
   const Setup setup = this->setup();
   threads.run(1 + static_cast<int>(tracks.size()), [&](int thread, int i) {
     auto& worker = tracks_.workers()[static_cast<std::size_t>(thread)];

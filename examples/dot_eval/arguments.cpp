@@ -31,6 +31,9 @@ docs/evaluation.md defines the figures. The exit status is 1 when a sequence fai
   --min-speed V             slower true movers count by speed alone, m/s (default 1)
   --from F                  leave out the frames before number F, the camera aside
   --hide-movers             take every second true mover out of the masks and measure how much of it is found
+  --starts STEP             start a tracker at every STEP-th frame and measure its first frames, instead of the above
+  --start-frames N          frames after each start (default 8)
+  --drop-largest K          with --starts: leave the largest mover out of the masks of the first K frames
 )";
 
 std::vector<int> parse_rates(const std::string& option, const std::string& value) {
@@ -52,6 +55,7 @@ void check(const Arguments& a) {
   if (a.sequences.empty()) throw UsageError("no sequence folder given");
   if (!a.run.sequence.camera.empty() && a.sequences.size() > 1)
     throw UsageError("--camera belongs to one sequence, and " + std::to_string(a.sequences.size()) + " are given");
+  if (a.drop_largest > 0 && a.starts == 0) throw UsageError("--drop-largest needs --starts");
 }
 
 }  // namespace
@@ -73,6 +77,11 @@ Arguments parse_arguments(int count, const char* const* values) {
   line.option("--out", [&](auto& name, auto& value) { a.out = runner::not_empty(name, value); });
   line.option("--jobs", [&](auto& name, auto& value) { a.jobs = runner::whole_number(name, value); });
   line.option("--min-speed", [&](auto& name, auto& value) { a.scoring.min_speed = parse_speed(name, value); });
+  line.option("--starts", [&](auto& name, auto& value) { a.starts = runner::whole_number(name, value); });
+  line.option("--start-frames",
+              [&](auto& name, auto& value) { a.start_frames = runner::whole_number(name, value, 2); });
+  line.option("--drop-largest",
+              [&](auto& name, auto& value) { a.drop_largest = runner::whole_number(name, value, 0); });
   line.option("--from", [&](auto& name, auto& value) { a.scoring.from = runner::whole_number(name, value, 0); });
   line.parse(count, values, [&](const std::string& argument) { a.sequences.emplace_back(argument); });
   if (!a.help) check(a);

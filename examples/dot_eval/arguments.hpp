@@ -21,6 +21,9 @@ struct Arguments {
   std::filesystem::path json;  ///< empty: none
   int jobs = 1;
   bool hide_movers = false;
+  int starts = 0;        ///< start a tracker at every so many frames, see starts.hpp; 0: evaluate whole sequences
+  int start_frames = 8;  ///< frames after each start
+  int drop_largest = 0;  ///< frames after each start in which the largest mover has no mask
   ObjectScoring scoring;
   bool help = false;
 };

@@ -30,24 +30,24 @@ HiddenMovers::HiddenMovers(const runner::Recording& recording, double min_speed)
       if (object.moving) movers.insert(id);
   bool hide = false;
   for (const int id : movers) {
-    if (hide) seen_[id] = 0;
+    if (hide) hidden_.insert(id), seen_[id] = 0;
     hide = !hide;
   }
   score_.movers = static_cast<int>(seen_.size());
 }
 
-void HiddenMovers::remove(runner::SequenceFrame& frame, const cv::Mat& instance) const {
+void remove_movers(const std::set<int>& movers, const cv::Mat& instance, runner::SequenceFrame& frame) {
   if (frame.ids.empty() || instance.empty()) return;
   cv::Mat ids;
   frame.ids.convertTo(ids, CV_32S);
   std::map<int, long> areas;
-  std::map<std::pair<int, int>, long> covered;  // by instance of the masks and hidden mover
+  std::map<std::pair<int, int>, long> covered;  // by instance of the masks and mover
   for (int y = 0; y < ids.rows; ++y) {
     for (int x = 0; x < ids.cols; ++x) {
       const int id = ids.at<int>(y, x);
       if (id == 0) continue;
       ++areas[id];
-      if (const int mover = instance.at<int>(y, x); seen_.count(mover) > 0) ++covered[{id, mover}];
+      if (const int mover = instance.at<int>(y, x); movers.count(mover) > 0) ++covered[{id, mover}];
     }
   }
   for (const auto& [pair, count] : covered) {

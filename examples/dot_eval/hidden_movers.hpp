@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "dot/pipeline/result.hpp"
 #include "sequence/sequence.hpp"
@@ -23,6 +24,9 @@ struct HiddenScore {
   void add(const HiddenScore& other);
 };
 
+/// Removes from the masks of a frame the instances of which at least half lies in one of these true objects.
+void remove_movers(const std::set<int>& movers, const cv::Mat& instance, runner::SequenceFrame& frame);
+
 /// Takes every second true mover (by id: the 2nd, 4th, ...) out of the masks that the tracker gets, and measures how
 /// much of it is labelled moving all the same.
 class HiddenMovers {
@@ -30,8 +34,7 @@ class HiddenMovers {
   /// @param min_speed m/s, from which a hidden mover counts.
   HiddenMovers(const runner::Recording& recording, double min_speed);
 
-  /// Removes the instances of which at least half lies in a hidden mover.
-  void remove(runner::SequenceFrame& frame, const cv::Mat& instance) const;
+  void remove(runner::SequenceFrame& frame, const cv::Mat& instance) const { remove_movers(hidden_, instance, frame); }
 
   /// A mover counts from the sixth frame in which it has 1,000 pixels and the speed, in frames where it has both.
   void add(const runner::TruthEntry& entry, const cv::Mat& instance, const dot::Result& result);
@@ -40,6 +43,7 @@ class HiddenMovers {
 
  private:
   double min_speed_ = 0;
+  std::set<int> hidden_;
   std::map<int, int> seen_;  ///< of each hidden mover: frames in which it was large and fast
   HiddenScore score_;
 };

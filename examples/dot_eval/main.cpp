@@ -22,6 +22,7 @@
 #include "report.hpp"
 #include "sequence/errors.hpp"
 #include "sequence/output_file.hpp"
+#include "starts.hpp"
 #include "text_table.hpp"
 
 namespace {
@@ -63,6 +64,11 @@ std::vector<RunScore> evaluate_all(const Arguments& arguments) {
 bool run(const Arguments& arguments) {
   // What is wrong with the settings is wrong for every sequence, and is told at once.
   cv::setNumThreads(tracker_options(arguments.run, dot::DepthSource::Unknown).threads);
+  if (arguments.starts > 0) {
+    const std::vector<StartRun> starts = evaluate_starts(arguments);
+    std::printf("%s", start_table(starts).c_str());
+    return std::all_of(starts.begin(), starts.end(), [](const StartRun& s) { return s.error.empty(); });
+  }
   std::optional<runner::OutputFile> json, html;
   if (!arguments.json.empty()) json.emplace(arguments.json);
   if (!arguments.html.empty()) html.emplace(arguments.html);

@@ -56,6 +56,12 @@ ends "sample" 1 "FAILED: $work/none: no such folder" "$sample" "$work/none" --ra
   --json "$work/eval.json" --hide-movers
 grep -q '^POOLED ' "$work/stdout" || fail "no pooled row"
 
+# --- Starts.
+
+ends "starts" 1 "POOLED" "$sample" "$work/none" --starts 8 --drop-largest 3
+grep -q '^mini  *3 ' "$work/stdout" || fail "not three starts in 24 frames"
+ends "a mover dropped without starts" 2 "--drop-largest needs --starts" "$sample" --drop-largest 3
+
 # --- With --out the files are those of dot_run.
 
 ends "output" 0 "first" "$work/first" --rates 2 --out "$work/out"

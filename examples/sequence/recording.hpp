@@ -49,7 +49,7 @@ struct TruthEntry {
 
 /// The files of one frame. The layout gives either `depth` or `right`.
 struct RecordingEntry {
-  int number = 0;  ///< names the frame in messages and outputs
+  int number = 0;  ///< unique: names the frame in messages and outputs
   double timestamp = 0;
   std::filesystem::path image;
   std::filesystem::path depth;      ///< 16 bit

@@ -11,7 +11,7 @@ namespace runner {
 /// Without white space at either end.
 std::string trim(const std::string& text);
 
-/// The trimmed pieces between separators.
+/// The trimmed pieces between separators. Nothing after the last separator is no piece.
 std::vector<std::string> split(const std::string& text, char separator);
 
 /// The pieces between runs of white space.

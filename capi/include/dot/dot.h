@@ -112,8 +112,8 @@ enum {
   DOT_CAMERA_FIRST_FRAME = 0,       ///< no reference: T_cur_prev is the identity without meaning
   DOT_CAMERA_TRACKED = 1,           ///< estimated from the image
   DOT_CAMERA_FROM_HOST = 2,         ///< dot_frame.camera_motion
-  DOT_CAMERA_TOO_LITTLE_DEPTH = 3,  ///< T_cur_prev is the constant-velocity guess
-  DOT_CAMERA_LOST = 4               ///< T_cur_prev is the constant-velocity guess
+  DOT_CAMERA_TOO_LITTLE_DEPTH = 3,  ///< T_cur_prev is a guess: the prior, or constant velocity
+  DOT_CAMERA_LOST = 4               ///< T_cur_prev is a guess likewise
 };
 
 /// dot_options.classifier.
@@ -290,7 +290,7 @@ typedef struct dot_object {
   double disparity_noise_px;      ///< the part of that due to the covariance
   double entropy;                 ///< of the pose, nats
   double range;                   ///< depth of the centroid, metres
-  double interval;                ///< seconds that velocity and T_o span
+  double interval;                ///< seconds that velocity spans; T_o is of the last interval
 
   /* Fused over time. */
   double fused_velocity[3];  ///< m/s, this camera's axes

@@ -224,7 +224,7 @@ struct DirectAligner {
     return static_cast<double>(static_cast<float>(kSigmaOfMedian) * std::sqrt(median_of_magnitudes(scratch_)));
   }
 
-  /// H and g of [A x; a; b], the twist about the axes turned by R, from those of [x; a; b].
+  /// H and g of a twist [x; a; b] from those of the twist about axes that are turned by R, [A x; a; b].
   static void turn(const Matrix3<double>& R, Matrix8& H) {
     for (const int k : {0, 3}) H.middleCols<3>(k) = (H.middleCols<3>(k) * R).eval();
     for (const int k : {0, 3}) H.middleRows<3>(k) = (R.transpose() * H.middleRows<3>(k)).eval();

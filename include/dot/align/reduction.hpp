@@ -65,7 +65,7 @@ struct PointResiduals {
   bool occluded(std::size_t i) const { return visibility[i] & kernel::kOccluded; }
 };
 
-/// Sums over the points. `depth_*` is kept apart: it serves objects only.
+/// Sums over the points.
 struct NormalEquations {
   Matrix8 H = Matrix8::Zero();  ///< of [xi; a; b]
   Vector8 g = Vector8::Zero();  ///< gradient, sum of w J r / s^2

@@ -19,6 +19,10 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
   dark          a quarter of the brightness, noise of 1.5 grey values
   near          no depth beyond 20 m
   bias          disparities wrong by up to a pixel at the borders, as from a stereo pair calibrated badly
+  lidar64, lidar32, lidar16
+                depth of a lidar of so many beams, 0.3 m above and 0.3 m behind the camera, with noise of 2 cm
+  holes50       half of the depth missing, in patches
+  edges         depth at strong gradients of the image alone
 """
 import glob
 import os
@@ -47,6 +51,75 @@ def biased(depth, focal_baseline):
     disparity = focal_baseline * 256 / np.maximum(depth, 1) + 0.6 * np.sin(2.4 * u + 0.4) + 0.2 * v - 0.1
     changed = np.clip(focal_baseline * 256 / np.maximum(disparity, 0.1), 1, 65535)
     return np.where(depth > 0, np.round(changed), 0).astype(depth.dtype)
+
+
+# Elevations of the beams, degrees: the highest, and the step from beam to beam. All turn in steps of 0.2 degrees.
+BEAMS = {"lidar64": (2.0, 0.43, 64), "lidar32": (10.67, 1.33, 32), "lidar16": (15.0, 2.0, 16)}
+AZIMUTH = np.radians(0.2)
+MOUNT = np.array([0, 0.3, 0.3])  # from the lidar's axes to the camera's: x right, y down, z forward
+
+
+def scanned(depth, intrinsics, kind, random):
+    """What a lidar measures of the surfaces that the camera sees, in 1/256 m at the camera's pixels.
+
+    It looks past objects from its own place. What it sees there, the camera does not: that surface is continued from
+    the farther one of its neighbours along the beam.
+    """
+    fx, fy, cx, cy = intrinsics[:4]
+    v, u = np.nonzero(depth)
+    z = depth[v, u] / 256.0
+    x, y, z = (u - cx) / fx * z, (v - cy) / fy * z + MOUNT[1], z + MOUNT[2]
+    elevation, azimuth = np.degrees(np.arctan2(-y, np.hypot(x, z))), np.arctan2(x, z)
+    distance = np.sqrt(x * x + y * y + z * z)
+    highest, step, count = BEAMS[kind]
+    columns = np.round(azimuth / AZIMUTH).astype(int)
+    first = columns.min()
+    ranges = np.full((count, columns.max() - first + 1), np.inf)
+    beam = np.round((highest - elevation) / step).astype(int)
+    on_beam = np.abs(highest - beam * step - elevation) < 0.6 * np.degrees(1 / fy)  # half a pixel and a little more
+    on_beam &= (beam >= 0) & (beam < count)
+    np.minimum.at(ranges, (beam[on_beam], columns[on_beam] - first), distance[on_beam])
+    for row in ranges:
+        seen = np.flatnonzero(np.isfinite(row))
+        for left, right in zip(seen[:-1], seen[1:]):
+            row[left + 1 : right] = max(row[left], row[right])
+    i, j = np.nonzero(np.isfinite(ranges) & (ranges < 100))
+    r = ranges[i, j] + random.normal(0, 0.02, len(i))
+    e, a = np.radians(highest - i * step), (j + first) * AZIMUTH
+    x, y, z = r * np.cos(e) * np.sin(a), -r * np.sin(e) - MOUNT[1], r * np.cos(e) * np.cos(a) - MOUNT[2]
+    u, v = np.round(fx * x / z + cx).astype(int), np.round(fy * y / z + cy).astype(int)
+    inside = (z > 0.5) & (u >= 0) & (v >= 0) & (u < depth.shape[1]) & (v < depth.shape[0])
+    out = np.zeros(depth.shape, depth.dtype)
+    far_to_near = np.argsort(-z[inside])  # where two points fall on a pixel, the nearer one stays
+    out[v[inside][far_to_near], u[inside][far_to_near]] = np.round(256 * z[inside][far_to_near])
+    return out
+
+
+def with_holes(depth, random):
+    """Half of it, in patches of about 8 pixels."""
+    height, width = depth.shape
+    noise = random.random((height // 8 + 1, width // 8 + 1)).astype(np.float32)
+    patches = cv2.resize(noise, (width, height), interpolation=cv2.INTER_LINEAR)
+    return np.where(patches < np.median(patches), 0, depth).astype(depth.dtype)
+
+
+def at_edges(depth, image):
+    """Where the image's gradient is among the strongest 15 %, a pixel to each side."""
+    grey = cv2.GaussianBlur(image if image.ndim == 2 else cv2.cvtColor(image, cv2.COLOR_BGR2GRAY), (0, 0), 1)
+    gradient = np.hypot(cv2.Sobel(grey, cv2.CV_32F, 1, 0), cv2.Sobel(grey, cv2.CV_32F, 0, 1))
+    strong = (gradient > np.percentile(gradient, 85)).astype(np.uint8)
+    return np.where(cv2.dilate(strong, np.ones((3, 3))) > 0, depth, 0).astype(depth.dtype)
+
+
+def thinned(depth, kind, frame, sequence, intrinsics, random):
+    """The depth of a frame by another sensor."""
+    if kind in BEAMS:
+        true = cv2.imread(f"{sequence}/depth_true/{frame:06d}.png", cv2.IMREAD_UNCHANGED)
+        return scanned(depth if true is None else true, intrinsics, kind, random)
+    if kind == "holes50":
+        return with_holes(depth, random)
+    [image] = [path for path in glob.glob(f"{sequence}/rgb/{frame:06d}.*")]
+    return at_edges(depth, cv2.imread(image))
 
 
 def changed(image, folder, kind, random, focal_baseline):
@@ -81,6 +154,8 @@ def camera(line, kind):
         cx, width = cx - width // 4, width // 2
     if kind == "slow":
         fps /= 2
+    if kind in BEAMS:
+        baseline = 0
     return f"{fx} {fy} {cx} {cy} {int(width)} {int(height)} {baseline} {fps}\n"
 
 
@@ -115,12 +190,17 @@ def make(kind, out, sequence):
             target = f"{folder}/{name}/{number[int(stem)]:06d}"
             os.makedirs(f"{folder}/{name}", exist_ok=True)
             if suffix in (".png", ".jpg"):
-                image = changed(cv2.imread(path, cv2.IMREAD_UNCHANGED), name, kind, random, intrinsics[0] * intrinsics[6])
+                image = cv2.imread(path, cv2.IMREAD_UNCHANGED)
+                if name == "depth" and kind in (*BEAMS, "holes50", "edges"):
+                    image = thinned(image, kind, int(stem), sequence, intrinsics, random)
+                else:
+                    image = changed(image, name, kind, random, intrinsics[0] * intrinsics[6])
                 cv2.imwrite(f"{target}.png", np.ascontiguousarray(image), [cv2.IMWRITE_PNG_COMPRESSION, 1])
             else:
                 shutil.copy(path, target + suffix)
     with open(f"{sequence}/intrinsics.txt") as f, open(f"{folder}/intrinsics.txt", "w") as g:
-        g.write(camera(f.readline(), kind) + f.read())
+        g.write(camera(f.readline(), kind))
+        g.write("depth lidar\n" if kind in BEAMS else f.read())
     with open(f"{sequence}/objects.csv") as f, open(f"{folder}/objects.csv", "w") as g:
         g.write(f.readline())
         rows = [line.split(",", 1) for line in f]
@@ -143,6 +223,7 @@ def make(kind, out, sequence):
 
 def main():
     kinds = "half third mirror crop slow reverse late skip1 skip2 skip3 flicker noise dark near bias"
+    kinds += " lidar64 lidar32 lidar16 holes50 edges"
     if len(sys.argv) < 4 or sys.argv[1] not in kinds.split():
         sys.exit(__doc__)
     for sequence in sys.argv[3:]:

@@ -37,13 +37,15 @@ bool counts_as_mover(const runner::TrueObject& object, double min_speed) {
 
 /// One start, at frame `first`.
 void start(const Arguments& arguments, runner::Sequence& sequence, int first, StartScore& score) {
-  const runner::Recording& recording = sequence.recording();
+  const auto truth_of = [&](int index) -> const runner::TruthEntry& {
+    return sequence.recording().entries[static_cast<std::size_t>(index)].truth;
+  };
   dot::Tracker tracker(sequence.intrinsics(), tracker_options(arguments.run, sequence.depth_source()));
   const double min_speed = arguments.scoring.min_speed;
   std::optional<int> dropped;
   ++score.starts;
   for (int f = 0; f < arguments.start_frames; ++f) {
-    const runner::TruthEntry& truth = recording.entries[static_cast<std::size_t>(first + f)].truth;
+    const runner::TruthEntry& truth = truth_of(first + f);
     const cv::Mat instance = sequence.truth(first + f).instance;
     runner::SequenceFrame frame = sequence.read(first + f);
     if (f % arguments.rates[0] != 0) frame.ids.release(), frame.instances.clear();
@@ -54,7 +56,7 @@ void start(const Arguments& arguments, runner::Sequence& sequence, int first, St
     const dot::Result& result = tracker.track(frame.frame());
     if (f == 0) continue;
     const int decided = score.add(truth, instance, result, min_speed);
-    const auto& before = recording.entries[static_cast<std::size_t>(first + f - 1)].truth.camera;
+    const auto& before = truth_of(first + f - 1).camera;
     if (f <= kIntervals && truth.camera && before)
       score.add(truth.camera->inverse() * *before, runner::pose_from_row_major(result.camera.T_cur_prev.data()),
                 decided > 0);

@@ -54,7 +54,7 @@ TEST_F(PhotometricFactor, DerivativesAreThoseOfTheResidual) {
   for (int i = 0; i < 3; ++i) {
     const Vector3<double> d = h * Vector3<double>::Unit(i);
     const double numeric = (residual(X + d) - residual(X - d)) / (2 * h);
-    EXPECT_NEAR(f.dr_dX[i], numeric, 0.01 * f.dr_dX.norm()) << i;
+    EXPECT_NEAR(f.dr_dpoint[i], numeric, 0.01 * f.dr_dpoint.norm()) << i;
   }
   const double numeric = (residual(moved(kInverseDepth + h)) - residual(moved(kInverseDepth - h))) / (2 * h);
   EXPECT_NEAR(f.dr_dq, numeric, 0.01 * std::abs(numeric));

@@ -31,10 +31,10 @@ struct CellVotes {
     std::array<Cell, kColumns * kRows> cells{};
     for (std::size_t i = 0; i < cost_first.size(); ++i) {
       if (cost_first[i] < 0 || cost_second[i] < 0) continue;
-      const int x = static_cast<int>(points.u[i]) * kColumns / width,
-                y = static_cast<int>(points.v[i]) * kRows / height;
-      Cell& cell =
-          cells[static_cast<std::size_t>(std::clamp(y, 0, kRows - 1) * kColumns + std::clamp(x, 0, kColumns - 1))];
+      const int x = std::clamp(static_cast<int>(points.u[i]) * kColumns / width, 0, kColumns - 1);
+      const int y = std::clamp(static_cast<int>(points.v[i]) * kRows / height, 0, kRows - 1);
+      const int index = y * kColumns + x;
+      Cell& cell = cells[static_cast<std::size_t>(index)];
       ++cell.count, cell.first += cost_first[i], cell.second += cost_second[i];
     }
     for (const Cell& cell : cells) {

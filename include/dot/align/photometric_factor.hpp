@@ -11,10 +11,10 @@ DOT_BEGIN_NAMESPACE
 /// The photometric residual of a point p (eq. 3), r = I_i(p') - a I_j(p) - b.
 template <typename Scalar>
 struct PhotometricFactor {
-  Scalar r;               ///< grey values
-  Vector3<Scalar> dr_dX;  ///< derivative by the moved point X~
-  Scalar dr_dq;           ///< by its inverse depth: dX~/dq = t
-  Scalar extra;           ///< variance of r besides sigma_I^2: (dr/dq sigma_q)^2 + (gradient_noise |grad I|)^2
+  Scalar r;                   ///< grey values
+  Vector3<Scalar> dr_dpoint;  ///< derivative by the moved point X~
+  Scalar dr_dq;               ///< by its inverse depth: dX~/dq = t
+  Scalar extra;               ///< variance of r besides sigma_I^2: (dr/dq sigma_q)^2 + (gradient_noise |grad I|)^2
 };
 
 /// Computes the factors of points with the motion and the change of brightness of `state`.
@@ -33,8 +33,8 @@ class PhotometricModel {
                                        Scalar sigma_q) const {
     PhotometricFactor<Scalar> f;
     f.r = static_cast<Scalar>(s.value) - gain_ * reference - offset_;
-    f.dr_dX = (J_pi.transpose() * Vector2<float>(s.gx, s.gy)).template cast<Scalar>();
-    f.dr_dq = f.dr_dX.dot(t_);
+    f.dr_dpoint = (J_pi.transpose() * Vector2<float>(s.gx, s.gy)).template cast<Scalar>();
+    f.dr_dq = f.dr_dpoint.dot(t_);
     const Scalar by_depth = f.dr_dq * sigma_q;
     f.extra = by_depth * by_depth + gradient_variance_ * static_cast<Scalar>(s.gx * s.gx + s.gy * s.gy);
     return f;

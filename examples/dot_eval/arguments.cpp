@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "sequence/errors.hpp"
 #include "sequence/fields.hpp"
@@ -55,7 +56,16 @@ void check(const Arguments& a) {
   if (a.sequences.empty()) throw UsageError("no sequence folder given");
   if (!a.run.sequence.camera.empty() && a.sequences.size() > 1)
     throw UsageError("--camera belongs to one sequence, and " + std::to_string(a.sequences.size()) + " are given");
-  if (a.drop_largest > 0 && a.starts == 0) throw UsageError("--drop-largest needs --starts");
+  if (a.starts == 0) {
+    if (a.drop_largest > 0) throw UsageError("--drop-largest needs --starts");
+    return;
+  }
+  if (a.rates.size() > 1) throw UsageError("--starts takes one rate");
+  const std::pair<bool, const char*> others[] = {{!a.html.empty(), "--html"},    {!a.json.empty(), "--json"},
+                                                 {!a.out.empty(), "--out"},      {a.hide_movers, "--hide-movers"},
+                                                 {a.scoring.from > 0, "--from"}, {a.jobs > 1, "--jobs"}};
+  for (const auto& [given, name] : others)
+    if (given) throw UsageError(std::string(name) + " cannot be combined with --starts");
 }
 
 }  // namespace

@@ -67,12 +67,6 @@ class TimeLog {
   double total_ = 0;
 };
 
-bool has_truth(const runner::Recording& recording) {
-  for (const runner::RecordingEntry& entry : recording.entries)
-    if (!entry.truth.instance.empty() || entry.truth.camera) return true;
-  return false;
-}
-
 void run(const Arguments& arguments, const std::filesystem::path& folder, const FrameDone& frame_done,
          RunScore& score) {
   runner::SequenceOptions source = arguments.run.sequence;
@@ -130,6 +124,12 @@ void run(const Arguments& arguments, const std::filesystem::path& folder, const 
 }
 
 }  // namespace
+
+bool has_truth(const runner::Recording& recording) {
+  for (const runner::RecordingEntry& entry : recording.entries)
+    if (!entry.truth.instance.empty() || entry.truth.camera) return true;
+  return false;
+}
 
 RunScore evaluate(const Arguments& arguments, std::size_t sequence, int every, const FrameDone& frame_done) {
   RunScore score;

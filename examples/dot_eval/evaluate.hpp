@@ -38,6 +38,9 @@ struct RunScore {
   std::vector<Picture> pictures;       ///< where Arguments::html asks for them
 };
 
+/// Whether there is anything to compare answers with.
+bool has_truth(const runner::Recording& recording);
+
 /// Called after each frame with the number done and of all.
 using FrameDone = std::function<void(int done, int total)>;
 

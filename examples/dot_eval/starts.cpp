@@ -12,7 +12,9 @@
 #include <optional>
 
 #include "dot/tracker.hpp"
+#include "evaluate.hpp"
 #include "hidden_movers.hpp"
+#include "sequence/errors.hpp"
 #include "statistics.hpp"
 
 namespace eval {
@@ -135,6 +137,10 @@ std::vector<StartRun> evaluate_starts(const Arguments& arguments) {
       source.folder = arguments.sequences[i];
       source.truth = true;
       runner::Sequence sequence(source);
+      if (!has_truth(sequence.recording())) throw runner::FileError(source.folder.string() + ": has no ground truth");
+      if (sequence.size() < arguments.start_frames)
+        throw runner::FileError(source.folder.string() + ": has fewer frames than --start-frames " +
+                                std::to_string(arguments.start_frames));
       for (int first = 0; first + arguments.start_frames <= sequence.size(); first += arguments.starts)
         start(arguments, sequence, first, run.score);
     } catch (const std::exception& error) {

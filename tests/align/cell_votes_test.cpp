@@ -36,8 +36,11 @@ TEST(CellVotes, CountAreaAndNotTexture) {
   costs.add(100, 10, 10, 0.1f, 3);
   costs.add(4, 110, 50, 3, 0.1f);
   costs.add(4, 210, 50, 3, 0.1f);
-  EXPECT_EQ(costs.votes().first, 1);
-  EXPECT_EQ(costs.votes().second, 2);
+  const CellVotes votes = costs.votes();
+  EXPECT_EQ(votes.first, 1);
+  EXPECT_EQ(votes.second, 2);
+  for (std::size_t i = 0; i < costs.first.size(); ++i)
+    EXPECT_EQ(votes.second_won[CellVotes::cell_of(costs.points, i, kWidth, kHeight)], i >= 100) << i;
 }
 
 TEST(CellVotes, NeedAClearDifferenceAndEnoughPoints) {

@@ -60,6 +60,8 @@ grep -q '^POOLED ' "$work/stdout" || fail "no pooled row"
 
 ends "starts" 1 "POOLED" "$sample" "$work/none" --starts 8 --drop-largest 3
 grep -q '^mini  *3 ' "$work/stdout" || fail "not three starts in 24 frames"
+ends "too short for a start" 1 "has fewer frames than --start-frames 8" "$work/other" --starts 1
+ends "starts with a page" 2 "--html cannot be combined with --starts" "$sample" --starts 8 --html "$work/no.html"
 ends "a mover dropped without starts" 2 "--drop-largest needs --starts" "$sample" --drop-largest 3
 
 # --- With --out the files are those of dot_run.

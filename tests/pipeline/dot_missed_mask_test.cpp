@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include "dot/tracker.hpp"
 #include "support/film.hpp"
@@ -23,17 +24,17 @@ using namespace dot::test;
 
 constexpr std::uint32_t kLorry = 9;
 
-/// The camera drives at 2.5 m/s behind parked cars. A lorry with lettering passes on the right at 5 m/s. The yard has
-/// little contrast.
-Film<> queue() {
+/// The camera drives at 2.5 m/s behind parked cars. A lorry with lettering passes on the right at 5 m/s.
+/// @param contrast of the yard, grey values; that of the lorry is 30.
+Film<> queue(double contrast) {
   Film<> film;
   film.camera_path = straight({0, 0, 0}, {0, 0, 2.5});
   film.degradation.noise = 1;
-  film.direct = [](int index, Scene& scene) {
+  film.direct = [contrast](int index, Scene& scene) {
     if (index > 0) return;
     Body& yard = scene.bodies.front();
-    yard.quads[0].texture = Texture(7, 1.2, 6, 6);
-    yard.quads[1].texture = Texture(8, 0.6, 4, 6);
+    yard.quads[0].texture = Texture(7, 1.2, 6, contrast);
+    yard.quads[1].texture = Texture(8, 0.6, 4, contrast);
   };
   film.add(1, straight({-3.2, 1.3, 8}));
   film.add(2, straight({-1.2, 1.3, 10}));
@@ -49,8 +50,18 @@ void miss_lorry(Rendering& seen) {
       if (seen.ids(x, y) == kLorry) seen.ids(x, y) = 0;
 }
 
-TEST(MissedMask, ALargeObjectDoesNotTakeTheCameraWithIt) {
-  Film<> film = queue();
+struct Conditions {
+  double frames_per_second;  ///< at many, the motions of lorry and camera differ by a few pixels alone
+  double contrast;
+  friend std::ostream& operator<<(std::ostream& out, const Conditions& c) {
+    return out << c.frames_per_second << " Hz, contrast " << c.contrast;
+  }
+};
+class MissedMask : public testing::TestWithParam<Conditions> {};
+
+TEST_P(MissedMask, ALargeObjectDoesNotTakeTheCameraWithIt) {
+  Film<> film = queue(GetParam().contrast);
+  film.interval = 1 / GetParam().frames_per_second;
   film.spoil = [](int index, Rendering& seen) {
     if (index < 3) miss_lorry(seen);
   };
@@ -80,5 +91,9 @@ TEST(MissedMask, ALargeObjectDoesNotTakeTheCameraWithIt) {
   EXPECT_GE(measured, 5);
   EXPECT_TRUE(lorry_moves);
 }
+
+INSTANTIATE_TEST_SUITE_P(RatesAndContrasts, MissedMask,
+                         testing::Values(Conditions{5, 6}, Conditions{10, 6}, Conditions{5, 20}, Conditions{10, 20},
+                                         Conditions{15, 20}, Conditions{30, 20}));
 
 }  // namespace

@@ -20,6 +20,7 @@ struct CellVotes {
   static constexpr float kClearly = 0.6f;  ///< share of the other motion's cost
 
   int first = 0, second = 0;
+  std::array<bool, kColumns * kRows> second_won{};  ///< cells that voted for the second motion, row by row
 
   /// Adds the votes of some points. @param cost_first, cost_second of each point; negative where it is not seen.
   void add(const PointSet& points, const std::vector<float>& cost_first, const std::vector<float>& cost_second,
@@ -31,17 +32,23 @@ struct CellVotes {
     std::array<Cell, kColumns * kRows> cells{};
     for (std::size_t i = 0; i < cost_first.size(); ++i) {
       if (cost_first[i] < 0 || cost_second[i] < 0) continue;
-      const int x = std::clamp(static_cast<int>(points.u[i]) * kColumns / width, 0, kColumns - 1);
-      const int y = std::clamp(static_cast<int>(points.v[i]) * kRows / height, 0, kRows - 1);
-      const int index = y * kColumns + x;
-      Cell& cell = cells[static_cast<std::size_t>(index)];
+      Cell& cell = cells[cell_of(points, i, width, height)];
       ++cell.count, cell.first += cost_first[i], cell.second += cost_second[i];
     }
-    for (const Cell& cell : cells) {
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const Cell& cell = cells[k];
       if (cell.count < kMinPoints) continue;
       first += cell.first < kClearly * cell.second;
-      second += cell.second < kClearly * cell.first;
+      if (cell.second < kClearly * cell.first) ++second, second_won[k] = true;
     }
+  }
+
+  /// The cell of a point.
+  static std::size_t cell_of(const PointSet& points, std::size_t i, int width, int height) {
+    const int x = std::clamp(static_cast<int>(points.u[i]) * kColumns / width, 0, kColumns - 1);
+    const int y = std::clamp(static_cast<int>(points.v[i]) * kRows / height, 0, kRows - 1);
+    const int index = y * kColumns + x;
+    return static_cast<std::size_t>(index);
   }
 };
 

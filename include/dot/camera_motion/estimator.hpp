@@ -189,7 +189,14 @@ struct CameraMotionEstimator {
                     const std::vector<Alignment>& candidates, Aligner& aligner, MinimaWorkspace& workspace) const {
     const std::vector<float>&cost = workspace.costs.of(choice.chosen), &rivals = workspace.costs.of(*choice.rival);
     PointSet& own = workspace.unexplained;
-    own.take_if(problem.points, [&](std::size_t i) { return rivals[i] < 0 || cost[i] <= rivals[i]; });
+    const int width = problem.camera.width(), height = problem.camera.height();
+    CellVotes votes;
+    votes.add(problem.points, cost, rivals, width, height);
+    own.take_if(problem.points, [&](std::size_t i) {
+      const bool is_rivals = rivals[i] >= 0 && (cost[i] > rivals[i] ||
+                                                votes.second_won[CellVotes::cell_of(problem.points, i, width, height)]);
+      return !is_rivals;
+    });
     const AlignProblem<Camera> rest{own, problem.image, problem.camera};
     Alignment a = aligner.align(rest, candidates[choice.chosen].state, 0, 0);
     a.margin = candidates[choice.chosen].margin;

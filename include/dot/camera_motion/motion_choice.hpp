@@ -32,10 +32,8 @@ struct MotionEvidence {
 /// it can reach both or none, the cells of the image decide, of the background and of the objects.
 class MotionChoice {
  public:
-  static constexpr double kAnotherMinimum = 5.0;  ///< pixels between the points at two different minima
-
   std::size_t chosen = 0;
-  std::optional<std::size_t> rival;  ///< the one in contest with it, if there is one, with the most votes
+  std::optional<std::size_t> rival;  ///< the one in contest with it over which its lead is least, if any
   /// Variance of each component of the chosen motion's left twist, if the votes are close: the squared distance to its
   /// rival, of translation and of rotation. Otherwise zero.
   Vector6<double> doubt = Vector6<double>::Zero();
@@ -56,24 +54,27 @@ class MotionChoice {
 
     const auto for_each_other = [&](auto&& visit) {
       for (std::size_t i = 0; i < candidates.size(); ++i)
-        if (pose_distance(problem.points, problem.camera, candidates[i].state.T, candidates[chosen].state.T) >
-            kAnotherMinimum)
-          visit(i, count(problem, candidates, i, sigma, evidence, aligner, workspace));
+        if (i != chosen) visit(i, count(problem, candidates, i, sigma, evidence, aligner, workspace));
     };
     const auto can_reach = [&](std::size_t i) {
       return (candidates[i].state.T.t - predicted.t).norm() <= evidence.reach;
     };
-    for_each_other([&](std::size_t i, const CellVotes& votes) {
-      if (votes.second == 0) return;
-      const bool wins = can_reach(i) == can_reach(chosen) ? votes.second > votes.first : can_reach(i);
-      if (wins) chosen = i;
-    });
+    for (int pass = 0; pass < 2; ++pass)  // the second one compares those before the chosen one with it
+      for_each_other([&](std::size_t i, const CellVotes& votes) {
+        if (votes.second == 0) return;
+        const bool wins = can_reach(i) == can_reach(chosen) ? votes.second > votes.first : can_reach(i);
+        if (wins) chosen = i;
+      });
     Alignment& a = candidates[chosen];
     double least = std::numeric_limits<double>::infinity();
     for_each_other([&](std::size_t i, const CellVotes& votes) {
-      const double lead = votes.second > 0 ? 1.0 * votes.first / votes.second : costs.ratio(i, chosen);
+      const bool in_contest = votes.second > 0;
+      if (!in_contest &&
+          pose_distance(problem.points, problem.camera, candidates[i].state.T, a.state.T) <= kSameMinimum)
+        return;
+      const double lead = in_contest ? 1.0 * votes.first / votes.second : costs.ratio(i, chosen);
       a.margin = std::min(a.margin, std::max(0.0, lead - 1));
-      if (votes.second > 0 && lead < least) least = lead, rival = i;
+      if (in_contest && lead < least) least = lead, rival = i;
     });
     if (least < kMajority) {
       const Vector6<double> d = (candidates[*rival].state.T * a.state.T.inverse()).log();
@@ -83,6 +84,7 @@ class MotionChoice {
   }
 
  private:
+  static constexpr double kSameMinimum = 5;  ///< pixels between the points at two that count as one, without a contest
   static constexpr double kContested = 0.3;  ///< votes of the background for another minimum, over those for the chosen
   static constexpr int kMinVotes = 8;        ///< the same, at least
   static constexpr double kMajority = 1.15;  ///< votes over those for the other, below which they are close

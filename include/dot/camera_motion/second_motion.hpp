@@ -39,6 +39,7 @@ struct SecondMotion {
     rest.take_if(problem.points, [&](std::size_t i) { return costs[i] > kUnexplained * most; });
     if (rest.size() < kMinPoints || rest.size() < kMinShare * seen) return std::nullopt;
 
+    // Points of one set have one frame.
     if (evidence.T_points_prev.log().isZero())
       for (const PointSet* object : evidence.objects) rest.append_every(1 + object->size() / kPerObject, *object);
 

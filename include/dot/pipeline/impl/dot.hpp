@@ -132,8 +132,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::remember(const CameraStep& camera_
   const FrameData& cur = *current_;
   const std::vector<Track*>& tracks = tracks_.all();
   const auto is_discovered = [&](std::uint32_t id) {
-    return std::any_of(tracks.begin(), tracks.end(),
-                       [id](const Track* t) { return t->identity.id == id && t->identity.discovered; });
+    const auto at = std::lower_bound(tracks.begin(), tracks.end(), id,
+                                     [](const Track* t, std::uint32_t wanted) { return t->identity.id < wanted; });
+    return at != tracks.end() && (*at)->identity.id == id && (*at)->identity.discovered;
   };
   if (options_.discover_unknown) discovery_.remember(labeller_.ids(), is_discovered, cur.timestamp);
   const Setup setup = this->setup();

@@ -43,7 +43,7 @@ def view(array: Array, pixel_format: int) -> ViewOf:
     packed = array.strides[1] == row and array.strides[-1] == array.itemsize
     if not (packed and array.strides[0] >= row * array.shape[1] and array.strides[0] % array.itemsize == 0
             and array.flags.aligned and array.dtype.isnative):
-        array = np.ascontiguousarray(array, array.dtype.newbyteorder("="))
+        array = np.require(array, array.dtype.newbyteorder("="), ["C_CONTIGUOUS", "ALIGNED"])
     return array, c.Image(format=pixel_format, width=array.shape[1], height=array.shape[0],
                           stride_bytes=array.strides[0], data=array.ctypes.data)
 
@@ -68,7 +68,7 @@ def depth_view(value: Any, shape: Shape, units_per_metre: float | None) -> ViewO
     array = as_array(value, "depth")
     if array.ndim == 3 and array.shape[2] == 1:
         array = array[:, :, 0]
-    if array.ndim != 2 or not (array.dtype.kind == "f" or array.dtype == np.uint16):
+    if array.ndim != 2 or not (array.dtype.kind == "f" or array.dtype.newbyteorder("=") == np.uint16):
         raise invalid("depth", f"{_describe(array)}, must be float in metres or uint16, of shape (h, w)")
     _check_shape(array, shape, "depth")
     if array.dtype.kind == "f":

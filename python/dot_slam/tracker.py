@@ -253,7 +253,7 @@ def _named(kind: Any, value: Any, field: str) -> int:
     if isinstance(value, kind):
         return int(value)
     names = {item.name.lower(): int(item) for item in kind}
-    if value not in names:
+    if not isinstance(value, str) or value not in names:
         raise invalid(field, f"is {value!r}, must be one of {', '.join(names)}")
     return names[value]
 

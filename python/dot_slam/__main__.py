@@ -88,6 +88,8 @@ def main(values: Items[str] | None = None) -> int:
     try:
         run(_arguments(values))
         return 0
+    except KeyboardInterrupt:
+        return 130  # as a shell has it; the tables keep the name .partial
     except (Error, FileError, OSError) as error:
         print(f"dot_slam: {error}", file=sys.stderr)
         return 1

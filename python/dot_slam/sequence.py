@@ -52,19 +52,19 @@ class Sequence:
         self._images = _list_images(folder / "rgb")
         self._times = [number / fps for number in self._images]
         if (folder / "times.txt").exists():
-            self._times = _read_times(folder / "times.txt", len(self._images))
+            self._times = _read_times(folder / "times.txt", list(self._images))
 
     def __len__(self) -> int:
         return len(self._images)
 
     def __iter__(self) -> Iterator[SequenceFrame]:
         for index, (number, image) in enumerate(self._images.items()):
-            masks = self._masks(image.stem) if index % self._mask_every == 0 else None
-            depth = read_image(self._folder / "depth" / f"{image.stem}.png")
+            masks = self._masks(image.stem, number) if index % self._mask_every == 0 else None
+            depth = read_image(_same_frame(self._folder / "depth", image.stem, number))
             yield SequenceFrame(number, self._times[index], read_image(image), depth, masks)
 
-    def _masks(self, stem: str) -> Masks | None:
-        path = self._folder / "masks" / f"{stem}.png"
+    def _masks(self, stem: str, number: int) -> Masks | None:
+        path = _same_frame(self._folder / "masks", stem, number)
         if not path.exists():
             return None
         listed = path.with_suffix(".csv")
@@ -157,11 +157,19 @@ def _list_images(folder: Path) -> dict[int, Path]:
     return dict(sorted(images.items()))
 
 
-def _read_times(path: Path, count: int) -> list[float]:
-    lines = [(number, words) for number, words in enumerate(_read_lines(path), 1) if words]
-    if len(lines) != count:
-        raise FileError(f"{path}: has {len(lines)} times for {count} images")
-    return [_to_number(path, number, "the time", words[0]) for number, words in lines]
+def _same_frame(folder: Path, stem: str, number: int) -> Path:
+    """Images of a frame have the same name, or its number with six digits."""
+    names = (folder / f"{stem}.png", folder / f"{number:06d}.png")
+    return next((name for name in names if name.exists()), names[0])
+
+
+def _read_times(path: Path, numbers: list[int]) -> list[float]:
+    """A line an image, or, where images were left out, a line a frame."""
+    lines = [(place, words) for place, words in enumerate(_read_lines(path), 1) if words]
+    rows = range(len(numbers)) if len(lines) == len(numbers) else numbers
+    if rows[-1] >= len(lines):
+        raise FileError(f"{path}: has {len(lines)} times for {len(numbers)} images up to number {numbers[-1]}")
+    return [_to_number(path, lines[row][0], "the time", lines[row][1][0]) for row in rows]
 
 
 def _read_instances(path: Path, always_dynamic: set[str]) -> list[Instance]:

@@ -14,6 +14,7 @@ from .enums import Reason, State
 from .result import Object, Result
 from .sequence import FileError, write_png
 
+_FOLDERS, _TABLES = ("labels", "instances"), ("camera.txt", "objects.csv")
 _COLUMNS = ("frame,track_id,state,speed_mps,p_moving,disparity_px,entropy,phi,n_points,vx,vy,vz,sigma_vx,sigma_vy,"
             "sigma_vz,T00,T01,T02,T03,T10,T11,T12,T13,T20,T21,T22,T23,reason,n_inliers,disparity_noise_px,range_m,"
             "interval_s,fused_vx,fused_vy,fused_vz,sigma_fused_vx,sigma_fused_vy,sigma_fused_vz,pixels,class,"
@@ -25,14 +26,14 @@ class ResultWriter:
     """labels/ and instances/ frame by frame; camera.txt and objects.csv, which end in .partial until all is done."""
 
     def __init__(self, out: Path) -> None:
-        for name in ("labels", "instances"):
-            folder = out / name
-            folder.mkdir(parents=True, exist_ok=True)
-            if any(folder.iterdir()):
-                raise FileError(f"{folder}: holds results already; remove them, or name another folder")
+        for path in (*(out / name for name in _TABLES), *(out / name for name in _FOLDERS)):
+            if path.is_file() or (path.is_dir() and any(path.iterdir())):
+                raise FileError(f"{path}: is there already; remove it, or name another folder")
+        for name in _FOLDERS:
+            (out / name).mkdir(parents=True, exist_ok=True)
         self._out = out
         self._tables = {name: open(out / f"{name}.partial", "w", encoding="ascii", newline="\n")
-                        for name in ("camera.txt", "objects.csv")}
+                        for name in _TABLES}
         self._tables["objects.csv"].write(_COLUMNS + "\n")
         self._T_world_camera = np.eye(4)
 

@@ -13,6 +13,7 @@ from conftest import SAMPLE
 from dot_slam import DepthSource
 from dot_slam.__main__ import main
 from dot_slam.sequence import Sequence
+from dot_slam.writer import ResultWriter
 
 cv2 = pytest.importorskip("cv2", reason="no OpenCV for Python, with which sequences are read")
 
@@ -90,7 +91,46 @@ def test_wrong_command_line(folder, capsys, options):
 def test_results_are_not_mixed(folder, capsys):
     assert run(folder, capsys) == (0, "")
     status, errors = run(folder, capsys)
-    assert status == 1 and "labels: holds results already" in errors
+    assert status == 1 and "camera.txt: is there already" in errors
+
+
+def test_nothing_of_others_is_replaced(folder, capsys):
+    """The truth of a sequence has the name of a table."""
+    shutil.copy(SAMPLE / "objects.csv", folder)
+    assert main([str(folder), "--out", str(folder)]) == 1
+    assert "objects.csv: is there already" in capsys.readouterr().err
+    assert (folder / "objects.csv").read_bytes() == (SAMPLE / "objects.csv").read_bytes()
+    assert not (folder / "labels").exists()
+
+
+def test_stopped_in_the_middle(folder, capsys, monkeypatch):
+    """Whole pictures, unfinished tables."""
+    write = ResultWriter.write
+
+    def write_two(writer, number, result):
+        if number == 2:
+            raise KeyboardInterrupt
+        write(writer, number, result)
+
+    monkeypatch.setattr(ResultWriter, "write", write_two)
+    assert run(folder, capsys)[0] == 130
+    out = folder.parent / "out"
+    assert sorted(path.name for path in (out / "labels").iterdir()) == ["000000.png", "000001.png"]
+    assert sorted(path.name for path in out.iterdir()) == ["camera.txt.partial", "instances", "labels",
+                                                           "objects.csv.partial"]
+    assert len((out / "camera.txt.partial").read_text().splitlines()) == 2
+
+
+def test_names_and_frames_left_out(folder):
+    for i in range(4):
+        (folder / f"rgb/{i:06d}.png").rename(folder / f"rgb/{i}.png")
+    (folder / "rgb/1.png").unlink()
+    (folder / "times.txt").write_text("5\n6\n7\n8\n")
+    frames = list(Sequence(folder))
+    assert [(frame.number, frame.timestamp) for frame in frames] == [(0, 5), (2, 7), (3, 8)]
+    assert all(frame.masks is not None for frame in frames)
+    (folder / "times.txt").write_text("5\n6\n7\n")
+    assert [frame.timestamp for frame in Sequence(folder)] == [5, 6, 7]
 
 
 def test_without_masks_and_with_instances(folder, capsys):

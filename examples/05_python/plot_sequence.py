@@ -72,7 +72,8 @@ beliefs.set(xlabel="seconds", ylabel="P(moving)", ylim=(-0.03, 1.03))
 
 shown = frame.image if frame.image.ndim == 3 else np.dstack([frame.image] * 3)
 shown = shown[:, :, 2::-1] // 2
-for state, colour in ((State.MOVING, (255, 120, 0)), (State.STATIC, (0, 200, 80)), (State.NOT_OBSERVABLE, (190, 190, 190))):
+colours = {State.MOVING: (255, 120, 0), State.STATIC: (0, 200, 80), State.NOT_OBSERVABLE: (190, 190, 190)}
+for state, colour in colours.items():
     shown[result.labels == state] = shown[result.labels == state] // 2 + np.array(colour, np.uint8) // 2
 image.imshow(shown)
 image.set(title=f"frame {frame.number}: orange moves, green stands, grey is not observable", xticks=[], yticks=[])

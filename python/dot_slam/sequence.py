@@ -38,8 +38,8 @@ class SequenceFrame:
 class Sequence:
     """A folder, read frame by frame.
 
-    mask_every: only the masks of frames 0, K, 2K, ... count. always_dynamic: classes in masks/*.csv that always count as
-    moving.
+    mask_every: only the masks of frames 0, K, 2K, ... count. always_dynamic: classes in masks/*.csv that always count
+    as moving.
     """
 
     def __init__(self, folder: Path, mask_every: int = 1, always_dynamic: Items[str] = ()) -> None:

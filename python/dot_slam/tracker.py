@@ -47,14 +47,16 @@ class CameraMotion:
 class Tracker:
     """Tells frame by frame which objects move.
 
-    camera: of all frames. depth_source: "stereo", "rgbd", "lidar" or "unknown", the form of the depth's noise.
-    classifier: "velocity", "entropy" or "entropy_literal". options: further settings by name, {"velocity.v0": 1.0}; see
-    dot/pipeline/options.hpp. colour: "bgr" (as OpenCV reads) or "rgb", the order of images with colours.
+    camera: of all frames.
+    depth_source: "stereo", "rgbd", "lidar" or "unknown", the form of the depth's noise.
+    classifier: "velocity", "entropy" or "entropy_literal".
+    options: further settings by name, {"velocity.v0": 1.0}; see dot/pipeline/options.hpp.
+    colour: "bgr" (as OpenCV reads) or "rgb", the order of images with colours.
     depth_units_per_metre: of uint16 depth; 1000 for RGB-D cameras, 256 for KITTI files.
 
     Trackers are independent: each thread may have its own, and they run at the same time, because calls release the
-    interpreter's lock. A call during another call on the same tracker raises Busy. `with` closes it at the end; one that
-    nobody holds any more is closed as well.
+    interpreter's lock. A call during another call on the same tracker raises Busy. `with` closes it at the end; one
+    that nobody holds any more is closed as well.
     """
 
     def __init__(self, camera: Camera, *, depth_source: str | DepthSource = "unknown",
@@ -98,14 +100,17 @@ class Tracker:
               camera_prior: npt.ArrayLike | None = None) -> Result:
         """Labels one frame.
 
-        image: uint8, (h, w), (h, w, 3) or (h, w, 4). depth: (h, w), floats in metres or uint16 in units; zero, negative,
-        NaN or infinite = no measurement. masks: integer ids of shape (h, w), 0 = background; or bool of shape (n, h, w);
-        or a list of Instance; or Masks; None = no segmentation for this frame, or not yet. timestamp: seconds, strictly
-        increasing. frame_id: the caller's number of the frame, for submit_masks; None = one more than the last.
-        camera_motion: None = estimated from the image. camera_prior: T_cur_prev, (3, 4) or (4, 4), from which that
-        estimate starts.
+        image: uint8, (h, w), (h, w, 3) or (h, w, 4).
+        depth: (h, w), floats in metres or uint16 in units; zero, negative, NaN or infinite = no measurement.
+        masks: integer ids of shape (h, w), 0 = background; or bool of shape (n, h, w); or a list of Instance; or Masks;
+        None = no segmentation for this frame, or not yet.
+        timestamp: seconds, strictly increasing.
+        frame_id: the caller's number of the frame, for submit_masks; None = one more than the last.
+        camera_motion: None = estimated from the image.
+        camera_prior: T_cur_prev, (3, 4) or (4, 4), from which that estimate starts.
 
         Arrays are read where they lie if their rows are packed, else copied; nobody may write to them during the call.
+        Raises InvalidArgument, after which the tracker is as it was; Busy, Closed, OutOfMemory, InternalError.
         """
         image_array, image_view = _arrays.image_view(image, self._shape, self._rgb)
         depth_array, depth_view = _arrays.depth_view(depth, self._shape, self._units)

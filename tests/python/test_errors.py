@@ -63,7 +63,7 @@ def test_making(field, arguments, text):
     ("camera_motion.T_cur_prev", {"camera_motion": CameraMotion(np.eye(4) * np.nan, np.eye(6))}, ""),
     ("camera_motion.T_cur_prev", {"camera_motion": CameraMotion(-np.eye(4)[:3], np.eye(6))}, "mirror image"),
     ("camera_motion.covariance", {"camera_motion": CameraMotion(np.eye(4), -np.eye(6))}, "must be 0 to"),
-    ("camera_motion.covariance", {"camera_motion": CameraMotion(np.eye(4), np.eye(3))}, "must be numbers of shape (6, 6)"),
+    ("camera_motion.covariance", {"camera_motion": CameraMotion(np.eye(4), np.eye(3))}, "numbers of shape (6, 6)"),
 ])
 def test_tracking(tracker, field, changes, text):
     track(tracker, 1)

@@ -24,7 +24,8 @@ def struct(name):
     return [(field, "pointer" if star else kind, int(count or 1)) for kind, star, field, count in found]
 
 
-@pytest.mark.parametrize("name, dtype", [("dot_object", result.OBJECT_DTYPE), ("dot_camera_result", result.CAMERA_DTYPE)])
+@pytest.mark.parametrize("name, dtype", [("dot_object", result.OBJECT_DTYPE),
+                                         ("dot_camera_result", result.CAMERA_DTYPE)])
 def test_results(name, dtype):
     def shape(field):
         kind = dtype[field]

@@ -12,13 +12,13 @@ from conftest import SAMPLE, new_tracker, same, track
 from dot_slam import State
 from dot_slam.__main__ import main
 
-cv2 = pytest.importorskip("cv2", reason="no OpenCV for Python, with which sequences are read")
-
 
 @pytest.mark.skipif("DOT_RUN" not in os.environ, reason="dot_run was not built")
-@pytest.mark.parametrize("options", [[], ["--mask-every", "3"], ["--mask-every", "4", "--mask-delay", "2"]], ids=" ".join)
+@pytest.mark.parametrize("options", [[], ["--mask-every", "3"], ["--mask-every", "4", "--mask-delay", "2"]],
+                         ids=" ".join)
 def test_files_of_dot_run(tmp_path, options):
     """labels/, instances/ and objects.csv byte for byte; poses are multiplied by another library."""
+    cv2 = pytest.importorskip("cv2", reason="no OpenCV for Python, with which sequences are read")
     cpp, python = tmp_path / "cpp", tmp_path / "python"
     subprocess.run([os.environ["DOT_RUN"], SAMPLE, "--out", cpp, *options], check=True, stdout=subprocess.DEVNULL)
     assert main([str(SAMPLE), "--out", str(python), *options]) == 0

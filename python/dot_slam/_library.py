@@ -105,7 +105,9 @@ def _load() -> ctypes.CDLL:
         raise ImportError(f"dot_slam cannot load its C library: {error}. It needs OpenCV's core and imgproc, of the "
                           "version that it was built with") from error
     for name, (result, arguments) in FUNCTIONS.items():
-        function = getattr(library, name)
+        function = getattr(library, name, None)
+        if function is None:
+            raise ImportError(f"the C library has no {name}: it is older than dot_slam")
         function.restype, function.argtypes = result, arguments
     found = library.dot_abi_version()
     if found != ABI_VERSION:

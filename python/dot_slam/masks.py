@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import ctypes
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Sequence, Union
 
 import numpy as np
@@ -37,7 +37,7 @@ class Masks:
     """
 
     ids: npt.ArrayLike | None = None  # integers, (h, w) as the frame, 0 = background
-    instances: Sequence[Instance] = field(default_factory=tuple)
+    instances: Sequence[Instance] = ()
 
 
 # An array is an id image (integers, (h, w)) or a stack of masks (bool, (n, h, w)), of which number i gets the id i + 1.

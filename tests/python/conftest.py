@@ -1,15 +1,14 @@
 # SPDX-FileCopyrightText: 2026 The dot authors
 # SPDX-License-Identifier: MIT
-"""ctest tells where things are: DOT_SOURCE, the project's folder; DOT_RUN, the program dot_run, where it was built."""
+"""What the tests share. ctest sets PYTHONPATH to the package in the build folder, and DOT_RUN to the program dot_run."""
 
-import os
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-SOURCE = Path(os.environ["DOT_SOURCE"])
+SOURCE = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(SOURCE / "examples" / "05_python"))
 import demo  # noqa: E402
 

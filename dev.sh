@@ -18,8 +18,9 @@ usage: ./dev.sh VERB
   test       build everything and run all tests
   bench      build and run the benchmarks, those beside OpenCV's odometry too; with arguments Google Benchmark's
              alone, which get them, e.g. --benchmark_filter=warp
+  wheel      build the Python package's wheel, in out/wheel
   format     format all C++ and C files in place
-  lint       formatting, clang-tidy, versions; changes nothing
+  lint       formatting, clang-tidy, types of the Python package, versions; changes nothing
   versions   check that version.hpp, dot.h, vcpkg.json and CHANGELOG.md name the same version
   sanitize   run the tests with the address and undefined-behaviour sanitizers, those of threads with the thread
              sanitizer
@@ -65,6 +66,12 @@ need() {
   "${apt[@]}" update || fail "apt-get update failed: is there a network?"
   "${apt[@]}" install -y --no-install-recommends "${missing[@]}" || fail "cannot install: ${missing[*]}"
 }
+# python_for MODULE ARGUMENT...: the first Python in the path, or Debian's own, which has what apt installs.
+python_for() {
+  local python=python3
+  "$python" -c "import numpy, $1" 2>/dev/null || python=/usr/bin/python3
+  "$python" "${@:2}"
+}
 need_compiler() { need g++ cmake ninja-build libeigen3-dev libopencv-dev libgtest-dev libbenchmark-dev; }
 
 # compile TARGET...
@@ -91,6 +98,7 @@ demo() {
 }
 
 run_tests() {
+  need python3-numpy python3-opencv python3-pytest python3-mypy python3-setuptools python3-wheel python3-pip python3-venv
   compile all
   say "testing"
   ctest --test-dir "$build" --output-on-failure -j2 || fail "tests failed; what each of them printed is above"
@@ -122,6 +130,17 @@ bench() {
   echo "written to $out"
 }
 
+wheel() {
+  need_compiler
+  need python3-numpy python3-setuptools python3-wheel python3-pip
+  local out=$root/out/wheel
+  rm -rf "$out"
+  say "building the wheel"
+  CMAKE_BUILD_PARALLEL_LEVEL=$jobs python_for "setuptools, wheel, pip" -m pip wheel --no-build-isolation --no-deps -w "$out" "$root/python" \
+    || fail "the wheel does not build; pip's message is above"
+  printf 'pip install %s\n' "$out"/*.whl
+}
+
 format() {
   need clang-format
   sources | xargs clang-format -i
@@ -147,11 +166,13 @@ versions() {
 
 lint() {
   need_compiler
-  need clang-format clang-tidy
+  need clang-format clang-tidy python3-numpy python3-mypy
   say "versions"
   versions
   say "formatting"
   sources | xargs clang-format --dry-run -Werror || fail "not formatted; ./dev.sh format mends it"
+  say "types of the Python package"
+  (cd python && python_for mypy -m mypy --cache-dir "$build/mypy")
   say "clang-tidy"
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
   git ls-files 'src/*.cpp' 'capi/*.cpp' 'examples/*.cpp' | xargs -P "$jobs" -n 1 clang-tidy -p "$build" --quiet
@@ -262,6 +283,7 @@ case $verb in
   demo) demo ;;
   test) run_tests ;;
   bench) bench "$@" ;;
+  wheel) wheel ;;
   format) format ;;
   lint) lint ;;
   sanitize) sanitize "$@" ;;

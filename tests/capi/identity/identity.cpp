@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
 
-// identity SEQUENCE OUT: labels and track ids of dot::Tracker and of the C library are the same to the last pixel.
-// Writes the frames and what C++ made of them into OUT, for through_ctypes.py.
+// identity SEQUENCE: labels and track ids of dot::Tracker and of the C library are the same to the last pixel.
 
 #include <cstdint>
 #include <cstdio>
@@ -33,11 +32,7 @@ cv::Mat read(const fs::path& path, int type) {
   return image;
 }
 
-void append(std::ofstream& file, const void* data, std::size_t bytes) {
-  file.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes));
-}
-
-int run(const fs::path& sequence, const fs::path& out) {
+int run(const fs::path& sequence) {
   dot::Intrinsics camera;
   double fps = 0;
   std::ifstream intrinsics(sequence / "intrinsics.txt");
@@ -61,14 +56,6 @@ int run(const fs::path& sequence, const fs::path& out) {
   dot_tracker* made = nullptr;
   if (dot_create(&c_camera, &c_options, &made) != DOT_OK) throw std::runtime_error(dot_create_error());
   const std::unique_ptr<dot_tracker, void (*)(dot_tracker*)> c_tracker(made, dot_destroy);
-
-  fs::create_directories(out);
-  const fs::path raw = out / "frames.bin";
-  std::ofstream written(raw, std::ios::binary);
-  std::ofstream header(out / "camera.txt");
-  header.precision(17);
-  header << camera.fx << ' ' << camera.fy << ' ' << camera.cx << ' ' << camera.cy << ' ' << camera.width << ' '
-         << camera.height << ' ' << camera.baseline << ' ' << fps << ' ' << frames << ' ' << mask_every << '\n';
 
   const auto pixels = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
   std::vector<std::uint8_t> labels(pixels);
@@ -95,14 +82,7 @@ int run(const fs::path& sequence, const fs::path& out) {
     differing += std::memcmp(cpp_labels.data, labels.data(), pixels) != 0;
     differing += std::memcmp(cpp_ids.data, ids.data(), 4 * pixels) != 0;
     moving += cv::countNonZero(cpp_labels == DOT_STATE_MOVING);
-
-    append(written, image.data, 3 * pixels);
-    append(written, depth.data, 2 * pixels);
-    append(written, masks.data, pixels);
-    append(written, cpp_labels.data, pixels);
-    append(written, cpp_ids.data, 4 * pixels);
   }
-  if (!written.flush()) throw std::runtime_error("cannot write " + raw.string());
   std::printf("%d frames, %d pixels moving, %d images differ between C++ and C\n", frames, moving, differing);
   return moving > 0 && differing == 0 ? 0 : 1;
 }
@@ -110,9 +90,9 @@ int run(const fs::path& sequence, const fs::path& out) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) return std::fprintf(stderr, "usage: identity SEQUENCE OUT\n"), 2;
+  if (argc != 2) return std::fprintf(stderr, "usage: identity SEQUENCE\n"), 2;
   try {
-    return run(argv[1], argv[2]);
+    return run(argv[1]);
   } catch (const std::exception& error) {
     return std::fprintf(stderr, "%s\n", error.what()), 1;
   }

@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+"""The numbers of dot/dot.h by name. As IntEnum they compare with what arrays hold: `labels == State.MOVING`."""
+
+from enum import IntEnum
+
+
+class State(IntEnum):
+    """Of an object, and of each pixel of `Result.labels`."""
+
+    BACKGROUND = 0
+    STATIC = 1
+    MOVING = 2
+    NOT_OBSERVABLE = 3  # the data does not decide between static and moving
+
+
+class Reason(IntEnum):
+    """Why an object has no motion estimate in a frame."""
+
+    NONE = 0  # it has one
+    NEW = 1
+    NO_REFERENCE = 2
+    TOO_FEW_PIXELS = 3
+    TOO_LITTLE_DEPTH = 4
+    TOO_LITTLE_TEXTURE = 5
+    LEAVES_IMAGE = 6
+    OCCLUDED = 7
+    DIVERGED = 8
+    LOW_CORRELATION = 9
+    TOO_FEW_INLIERS = 10
+    DEPTH_DISAGREES = 11
+    IMPLAUSIBLE = 12
+    HIDDEN = 13
+    CAMERA_LOST = 14
+    LOST = 15  # not seen for too long: dropped after this frame
+    TOO_MANY_OBJECTS = 16
+
+
+class CameraStatus(IntEnum):
+    """Where the camera's motion comes from. After the last two it is a guess."""
+
+    FIRST_FRAME = 0
+    TRACKED = 1
+    FROM_HOST = 2
+    TOO_LITTLE_DEPTH = 3
+    LOST = 4
+
+
+class DepthSource(IntEnum):
+    """Determines the form of the depth's noise."""
+
+    UNKNOWN = 0
+    STEREO = 1
+    RGBD = 2
+    LIDAR = 3
+
+
+class Classifier(IntEnum):
+    VELOCITY = 0  # belief over the velocity of the object's centroid
+    ENTROPY = 1  # the paper's rule with the gate H < H_max
+    ENTROPY_LITERAL = 2

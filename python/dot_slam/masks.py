@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+"""What a segmentation network found in a frame, in any of the forms in which networks give it."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from typing import Any, Sequence, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays
+from . import _library as c
+from .errors import invalid
+
+
+@dataclass(frozen=True, eq=False)
+class Instance:
+    """One instance. Instances may overlap."""
+
+    id: int  # 1 to 2^32 - 1, the caller's; need not be stable from frame to frame
+    mask: npt.ArrayLike | None = None  # bool or uint8, (h, w) of its own; None: the pixels of Masks.ids that equal `id`
+    x: int = 0  # pixels: place of the mask's top left corner in the frame
+    y: int = 0
+    class_id: int = -1  # the caller's, -1 = unknown
+    score: float = 1.0
+    always_dynamic: bool = False  # people and other non-rigid objects: always reported as moving
+
+
+@dataclass(frozen=True, eq=False)
+class Masks:
+    """An id image, or instances, or an id image with instances that tell class and score of some of its ids.
+
+    Without either: the network ran and found nothing.
+    """
+
+    ids: npt.ArrayLike | None = None  # integers, (h, w) as the frame, 0 = background
+    instances: Sequence[Instance] = ()
+
+
+# An array is an id image (integers, (h, w)) or a stack of masks (bool, (n, h, w)), of which number i gets the id i + 1.
+MasksLike = Union[Masks, Sequence[Instance], npt.NDArray[Any]]
+
+
+class MaskViews:
+    """Masks as the C library takes them; owns all that they point to."""
+
+    def __init__(self, masks: MasksLike, shape: _arrays.Shape) -> None:
+        masks = _as_masks(masks, shape)
+        self._kept: list[Any] = []
+        self.struct = c.Masks(instance_count=len(masks.instances))
+        if masks.ids is not None:
+            self.struct.ids = self._keep(_arrays.id_view(masks.ids, shape, "masks.ids"))
+        if masks.instances:
+            self._instances = (c.Instance * len(masks.instances))()
+            for i, instance in enumerate(masks.instances):
+                self._instances[i] = self._convert(instance, f"masks.instances[{i}]")
+            self.struct.instances = self._instances
+
+    def _keep(self, view: _arrays.ViewOf) -> Any:
+        self._kept.append(view)
+        return ctypes.pointer(view[1])
+
+    def _convert(self, instance: Instance, name: str) -> c.Instance:
+        if not isinstance(instance, Instance):
+            raise invalid(name, f"is {type(instance).__name__}, must be dot_slam.Instance")
+        out = c.Instance(class_id=_whole(instance.class_id, -2**31, 2**31 - 1, f"{name}.class_id"),
+                         id=_whole(instance.id, 0, 2**32 - 1, f"{name}.id"),
+                         x=_whole(instance.x, -2**31, 2**31 - 1, f"{name}.x"),
+                         y=_whole(instance.y, -2**31, 2**31 - 1, f"{name}.y"),
+                         score=float(instance.score),
+                         flags=c.INSTANCE_ALWAYS_DYNAMIC if instance.always_dynamic else 0)
+        if instance.mask is not None:
+            out.mask = self._keep(_arrays.mask_view(instance.mask, f"{name}.mask"))
+        return out
+
+
+def _whole(value: Any, low: int, high: int, name: str) -> int:
+    """ctypes would cut off what does not fit."""
+    if not isinstance(value, (int, np.integer)) or not low <= int(value) <= high:
+        raise invalid(name, f"is {value!r}, must be a whole number from {low} to {high}")
+    return int(value)
+
+
+def _as_masks(masks: MasksLike, shape: _arrays.Shape) -> Masks:
+    if isinstance(masks, Masks):
+        return masks
+    if isinstance(masks, (list, tuple)) and all(isinstance(item, Instance) for item in masks):
+        return Masks(instances=masks)
+    array = _arrays.as_array(masks, "masks")
+    if array.dtype != np.bool_:
+        return Masks(ids=_arrays.id_view(array, shape, "masks")[0])
+    if array.ndim != 3 or array.shape[1:] != shape:
+        raise invalid("masks", f"is bool of shape {array.shape}, must be (n, {shape[0]}, {shape[1]}): a mask for each "
+                               "instance")
+    return Masks(instances=[Instance(i + 1, mask) for i, mask in enumerate(array)])

@@ -1,0 +1,285 @@
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+"""The tracker itself."""
+
+from __future__ import annotations
+
+import ctypes
+import threading
+import weakref
+from dataclasses import dataclass
+from types import TracebackType
+from typing import Any, Mapping, NoReturn, Type
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays, errors
+from . import _library as c
+from ._library import lib
+from .enums import Classifier, DepthSource
+from .errors import InvalidArgument, invalid
+from .masks import MasksLike, MaskViews
+from .result import CAMERA_DTYPE, OBJECT_DTYPE, Result
+
+
+@dataclass(frozen=True)
+class Camera:
+    """A rectified pinhole camera. Pixel centres are at whole numbers."""
+
+    fx: float  # pixels
+    fy: float
+    cx: float
+    cy: float
+    width: int  # pixels
+    height: int
+    baseline: float = 0.0  # metres; 0 if the depth does not come from stereo
+
+
+@dataclass(frozen=True, eq=False)
+class CameraMotion:
+    """A camera motion that the host knows better than the tracker."""
+
+    T_cur_prev: npt.ArrayLike  # (3, 4) or (4, 4): a static point at X in the previous camera is at T_cur_prev X in this
+    covariance: npt.ArrayLike  # (6, 6), of the left twist [translation; rotation], metres and radians
+
+
+class Tracker:
+    """Tells frame by frame which objects move.
+
+    camera: of all frames.
+    depth_source: "stereo", "rgbd", "lidar" or "unknown", the form of the depth's noise.
+    classifier: "velocity", "entropy" or "entropy_literal".
+    options: further settings by name, {"velocity.v0": 1.0}; see dot/pipeline/options.hpp.
+    colour: "bgr" (as OpenCV reads) or "rgb", the order of images with colours.
+    depth_units_per_metre: of uint16 depth; 1000 for RGB-D cameras, 256 for KITTI files.
+
+    Trackers are independent: each thread may have its own, and they run at the same time, because calls release the
+    interpreter's lock. A call during another call on the same tracker raises Busy. `with` closes it at the end; one
+    that nobody holds any more is closed as well.
+    """
+
+    def __init__(self, camera: Camera, *, depth_source: str | DepthSource = "unknown",
+                 classifier: str | Classifier = "velocity", options: Mapping[str, float] | None = None,
+                 colour: str = "bgr", depth_units_per_metre: float | None = None) -> None:
+        if colour not in ("bgr", "rgb"):
+            raise invalid("colour", f"is {colour!r}, must be 'bgr' or 'rgb'")
+        if depth_units_per_metre is not None and not 1e-3 <= _number(depth_units_per_metre,
+                                                                     "depth_units_per_metre") <= 1e7:
+            raise invalid("depth_units_per_metre", f"is {depth_units_per_metre}, must be 0.001 to 1e7")
+        c_options = c.Options()
+        self._check_create(lib.dot_options_init(ctypes.byref(c_options), ctypes.sizeof(c_options)))
+        c_options.depth_source = _named(DepthSource, depth_source, "depth_source")
+        c_options.classifier = _named(Classifier, classifier, "classifier")
+        settings = [c.Setting(name.encode(), _number(value, name)) for name, value in (options or {}).items()]
+        if settings:
+            c_options.setting_count = len(settings)
+            c_options.settings = (c.Setting * len(settings))(*settings)
+
+        handle = ctypes.c_void_p()
+        self._check_create(lib.dot_create(ctypes.byref(_c_camera(camera)), ctypes.byref(c_options),
+                                          ctypes.byref(handle)))
+        self._lock = threading.Lock()
+        self._owner = 0
+        self._handle = handle
+        self._destroy = weakref.finalize(self, lib.dot_destroy, handle)
+        self._destroy.atexit = False  # a thread may still be at work, and memory goes back anyway
+        self._camera = camera
+        self._shape = (int(camera.height), int(camera.width))
+        self._rgb = colour == "rgb"
+        self._units = None if depth_units_per_metre is None else float(depth_units_per_metre)
+        self._next_id = 0
+        self._check(lib.dot_set_log(handle, c.log_function, None))
+
+    @property
+    def camera(self) -> Camera:
+        return self._camera
+
+    def track(self, image: npt.ArrayLike, depth: npt.ArrayLike, masks: MasksLike | None = None, *, timestamp: float,
+              frame_id: int | None = None, camera_motion: CameraMotion | None = None,
+              camera_prior: npt.ArrayLike | None = None) -> Result:
+        """Labels one frame.
+
+        image: uint8, (h, w), (h, w, 3) or (h, w, 4).
+        depth: (h, w), floats in metres or uint16 in units; zero, negative, NaN or infinite = no measurement.
+        masks: integer ids of shape (h, w), 0 = background; or bool of shape (n, h, w); or a list of Instance; or Masks;
+        None = no segmentation for this frame, or not yet.
+        timestamp: seconds, strictly increasing.
+        frame_id: the caller's number of the frame, for submit_masks; None = one more than the last.
+        camera_motion: None = estimated from the image.
+        camera_prior: T_cur_prev, (3, 4) or (4, 4), from which that estimate starts.
+
+        Arrays are read where they lie if their rows are packed, else copied; nobody may write to them during the call.
+        Raises InvalidArgument, after which the tracker is as it was; Busy, Closed, OutOfMemory, InternalError.
+        """
+        image_array, image_view = _arrays.image_view(image, self._shape, self._rgb)
+        depth_array, depth_view = _arrays.depth_view(depth, self._shape, self._units)
+        number = self._next_id if frame_id is None else _frame_id(frame_id)
+        frame = c.Frame(id=number, timestamp=_number(timestamp, "timestamp"), image=ctypes.pointer(image_view),
+                        depth=ctypes.pointer(depth_view))
+        if masks is not None:
+            views = MaskViews(masks, self._shape)
+            frame.masks = ctypes.pointer(views.struct)
+        if camera_motion is not None:
+            frame.camera_motion = ctypes.pointer(_c_motion(camera_motion))
+        if camera_prior is not None:
+            prior = _arrays.transform(camera_prior, "camera_prior")
+            frame.camera_prior = prior.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+        with _Use(self) as handle:
+            self._check(lib.dot_track(handle, ctypes.byref(frame)))
+            self._next_id = number + 1
+            return self._result(handle)
+
+    def submit_masks(self, frame_id: int, masks: MasksLike) -> None:
+        """Takes masks that arrive late, for an earlier frame that was tracked without; the next result shows them.
+
+        Masks come in the order of their frames, at most a second late (option mask.late_seconds).
+        """
+        if masks is None:
+            raise invalid("masks", "is None; for a network that found nothing use []")
+        views = MaskViews(masks, self._shape)
+        number = _frame_id(frame_id)
+        with _Use(self) as handle:
+            self._check(lib.dot_submit_masks(handle, number, ctypes.byref(views.struct)))
+
+    def exclusion_mask(self, *, not_observable: bool = True, static: bool = False, dilation: int = 2,
+                       inverted: bool = False) -> npt.NDArray[np.uint8]:
+        """Where a feature extractor must not look, in the last frame: 255 = do not use this pixel, 0 = use it.
+
+        Moving objects are always excluded. not_observable: objects that were never decided, too. static: static ones,
+        too. dilation: pixels by which the area is widened. inverted: 0 = do not use, 255 = use, as OpenCV's detectors
+        take it. The array is the caller's.
+        """
+        if not isinstance(dilation, (int, np.integer)) or not 0 <= dilation < 2**31:
+            raise invalid("dilation", f"is {dilation!r}, must be a whole number >= 0")
+        policy = c.ExclusionPolicy(dilation=int(dilation), flags=(c.EXCLUDE_NOT_OBSERVABLE if not_observable else 0)
+                                   | (c.EXCLUDE_STATIC if static else 0) | (c.EXCLUDE_INVERTED if inverted else 0))
+        out = np.empty(self._shape, np.uint8)
+        with _Use(self) as handle:
+            self._check(lib.dot_exclusion_mask(handle, ctypes.byref(policy), *_buffer(out)))
+        return out
+
+    def reset(self) -> None:
+        """Forgets all frames and objects. Ids are not used again."""
+        with _Use(self) as handle:
+            self._check(lib.dot_reset(handle))
+
+    def close(self) -> None:
+        """Frees the tracker, after a call on another thread has ended. Calling it again does nothing."""
+        if self._owner == threading.get_ident():
+            raise errors.Busy("close was called from within a call on this tracker")
+        with self._lock:
+            self._destroy()
+
+    @property
+    def closed(self) -> bool:
+        return not self._destroy.alive
+
+    def __enter__(self) -> Tracker:
+        return self
+
+    def __exit__(self, kind: Type[BaseException] | None, error: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        self.close()
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("a Tracker cannot be copied or pickled")
+
+    def _result(self, handle: ctypes.c_void_p) -> Result:
+        labels = np.empty(self._shape, np.uint8)
+        ids = np.empty(self._shape, np.uint32)
+        camera = np.zeros(1, CAMERA_DTYPE)
+        camera["struct_size"] = CAMERA_DTYPE.itemsize
+        count = ctypes.c_uint32()
+        self._check(lib.dot_copy_labels(handle, *_buffer(labels)))
+        self._check(lib.dot_copy_ids(handle, *_buffer(ids)))
+        self._check(lib.dot_get_camera(handle, camera.ctypes.data))
+        self._check(lib.dot_object_count(handle, ctypes.byref(count)))
+        table = np.zeros(count.value, OBJECT_DTYPE)
+        table["struct_size"] = OBJECT_DTYPE.itemsize
+        place = table.ctypes.data
+        for i in range(count.value):
+            self._check(lib.dot_get_object(handle, i, place + i * OBJECT_DTYPE.itemsize))
+        return Result(labels, ids, table, camera)
+
+    def _check(self, status: int) -> None:
+        if status != 0:
+            raise errors.from_library(status, lib.dot_last_error(self._handle).decode(errors="replace"))
+
+    @staticmethod
+    def _check_create(status: int) -> None:
+        if status != 0:
+            raise errors.from_library(status, lib.dot_create_error().decode(errors="replace"))
+
+
+class _Use:
+    """Holds a tracker for a call: what follows dot_track must still be of its frame."""
+
+    __slots__ = ("_tracker",)
+
+    def __init__(self, tracker: Tracker) -> None:
+        self._tracker = tracker
+
+    def __enter__(self) -> ctypes.c_void_p:
+        tracker = self._tracker
+        if not tracker._lock.acquire(blocking=False):
+            raise errors.Busy("another call on this tracker has not ended")
+        if tracker.closed:
+            tracker._lock.release()
+            raise errors.Closed("the tracker is closed")
+        tracker._owner = threading.get_ident()
+        return tracker._handle
+
+    def __exit__(self, *_: Any) -> None:
+        self._tracker._owner = 0
+        self._tracker._lock.release()
+
+
+def _buffer(array: npt.NDArray[Any]) -> tuple[int, int, int, int]:
+    return array.ctypes.data, array.shape[1], array.shape[0], array.strides[0]
+
+
+def _number(value: Any, field: str) -> float:
+    if isinstance(value, (str, bytes)):
+        raise invalid(field, f"is {value!r}, must be a number")
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise invalid(field, f"is {value!r}, must be a number") from None
+
+
+def _frame_id(value: Any) -> int:
+    if not isinstance(value, (int, np.integer)) or not 0 <= int(value) < 2**64:
+        raise invalid("frame_id", f"is {value!r}, must be a whole number from 0 to 2^64 - 1")
+    return int(value)
+
+
+def _named(kind: Any, value: Any, field: str) -> int:
+    if isinstance(value, kind):
+        return int(value)
+    names = {item.name.lower(): int(item) for item in kind}
+    if not isinstance(value, str) or value not in names:
+        raise invalid(field, f"is {value!r}, must be one of {', '.join(names)}")
+    return names[value]
+
+
+def _c_camera(camera: Camera) -> c.Camera:
+    sizes = {}
+    for name in ("width", "height"):
+        value = getattr(camera, name)
+        if not isinstance(value, (int, np.integer)) or not 0 < value < 2**31:
+            raise invalid(f"camera.{name}", f"is {value!r}, must be a whole number > 0")
+        sizes[name] = int(value)
+    numbers = {name: _number(getattr(camera, name), f"camera.{name}") for name in ("fx", "fy", "cx", "cy", "baseline")}
+    return c.Camera(**sizes, **numbers)
+
+
+def _c_motion(motion: CameraMotion) -> c.CameraMotion:
+    if not isinstance(motion, CameraMotion):
+        raise InvalidArgument("camera_motion", f"camera_motion is {type(motion).__name__}, must be CameraMotion")
+    T = _arrays.transform(motion.T_cur_prev, "camera_motion.T_cur_prev")
+    covariance = _arrays.doubles(motion.covariance, [(6, 6)], "camera_motion.covariance")
+    out = c.CameraMotion()
+    out.T_cur_prev[:] = T.ravel().tolist()
+    out.covariance[:] = covariance.ravel().tolist()
+    return out

@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+"""A C library that does not fit is told at the import."""
+
+import ctypes
+
+import pytest
+
+from dot_slam import _library
+
+
+def library(abi_version=_library.ABI_VERSION, without=()):
+    """Stands for one that was loaded."""
+    class Functions:
+        pass
+
+    def function(name):
+        return (lambda: abi_version) if name == "dot_abi_version" else (lambda *_: 0)
+
+    made = Functions()
+    for name in _library.FUNCTIONS:
+        if name not in without:
+            setattr(made, name, function(name))
+    return made
+
+
+@pytest.mark.parametrize("found, text", [
+    (library(abi_version=7), "has the binary interface 7, dot_slam needs 0"),
+    (library(without=["dot_submit_masks"]), "has no dot_submit_masks: it is older than dot_slam"),
+])
+def test_another_library(monkeypatch, found, text):
+    monkeypatch.setattr(ctypes, "CDLL", lambda path: found)
+    with pytest.raises(ImportError, match=text):
+        _library._load()
+
+
+def test_missing_opencv(monkeypatch):
+    def fail(path):
+        raise OSError("libopencv_core.so.999: cannot open shared object file")
+
+    monkeypatch.setattr(ctypes, "CDLL", fail)
+    with pytest.raises(ImportError, match="cannot load its C library: libopencv_core.so.999: .* needs OpenCV's core"):
+        _library._load()
+
+
+def test_library_of_this_package(monkeypatch):
+    """The one beside the modules, and not another one that the system has."""
+    paths = []
+    monkeypatch.setattr(ctypes, "CDLL", lambda path: paths.append(path) or library())
+    _library._load()
+    assert [path.endswith("/dot_slam/libdot_capi.so.0") for path in paths] == [True]

@@ -90,7 +90,7 @@ Json object_data(const dot::ObjectResult& object, const dot::Result& result, con
     const cv::Mat mask = dot::to_mat(result.ids)(box) == static_cast<double>(object.id);
     json.set("outline", list_of(outlines_of(mask, box.tl())));
   }
-  if (const auto found = drawing.predicted.find(object.id); found != drawing.predicted.end())
+  if (const auto found = drawing.predicted.find(object.id); found != drawing.predicted.end() && !found->second.empty())
     json.set("predicted", list_of(found->second));
   if (const auto found = drawing.points.find(object.id); found != drawing.points.end())
     json.set("texture", flat(found->second));

@@ -40,6 +40,13 @@ float median_depth(const cv::Mat& depth, const cv::Mat& inside) {
   return *middle;
 }
 
+/// The pixels whose centres lie in a square; at least one for size >= 1. @param size pixels.
+cv::Rect square(double u, double v, double size) {
+  const auto first = [&](double middle) { return static_cast<int>(std::ceil(middle - size / 2)); };
+  const auto last = [&](double middle) { return static_cast<int>(std::floor(middle + size / 2)); };
+  return {cv::Point(first(u), first(v)), cv::Point(last(u) + 1, last(v) + 1)};
+}
+
 }  // namespace
 
 std::map<std::uint32_t, Outlines> MovedOutlines::next(const runner::SequenceFrame& frame, const dot::Result& result) {
@@ -75,9 +82,8 @@ Outlines MovedOutlines::moved(const dot::ObjectResult& object, const cv::Rect& b
       const double u = camera_.fx * moved.x() / moved.z() + camera_.cx;
       const double v = camera_.fy * moved.y() / moved.z() + camera_.cy;
       if (!(std::abs(u) < 1e5 && std::abs(v) < 1e5)) continue;
-      const int size = std::min(2 + static_cast<int>(z / moved.z()), 8);  // pixels: what comes nearer gets larger
-      const cv::Rect pixel = cv::Rect(static_cast<int>(std::floor(u)), static_cast<int>(std::floor(v)), size, size) &
-                             cv::Rect({0, 0}, reached.size());
+      const cv::Rect pixel =
+          square(u, v, std::clamp(static_cast<double>(z) / moved.z(), 1.0, 8.0)) & cv::Rect({0, 0}, reached.size());
       if (pixel.empty()) continue;
       reached(pixel).setTo(255);
       reached_box |= pixel;
@@ -86,8 +92,8 @@ Outlines MovedOutlines::moved(const dot::ObjectResult& object, const cv::Rect& b
   if (reached_box.empty()) return {};
   cv::Mat closed;
   cv::morphologyEx(reached(reached_box), closed, cv::MORPH_CLOSE, cv::Mat::ones(5, 5, CV_8UC1));
-  cv::erode(closed, closed, cv::Mat::ones(2, 2, CV_8UC1), {0, 0});  // the pixels were drawn one too large
-  return outlines_of(closed, reached_box.tl());
+  // Holes are mostly gaps between pixels that moved apart.
+  return outlines_of(closed, reached_box.tl(), Holes::Fill);
 }
 
 }  // namespace player

@@ -17,13 +17,14 @@ cv::Mat to_mat(const dot::ImageRef& image) {
 
 }  // namespace
 
-Outlines outlines_of(const cv::Mat& mask, cv::Point offset) {
+Outlines outlines_of(const cv::Mat& mask, cv::Point offset, Holes holes) {
   constexpr double tolerance = 0.6;  // pixels
   // A border of zeros: on the image's own border findContours would see no pixels.
   cv::Mat padded;
   cv::copyMakeBorder(mask, padded, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
   Outlines found, outlines;
-  cv::findContours(padded, found, cv::RETR_CCOMP, cv::CHAIN_APPROX_SIMPLE, offset - cv::Point(1, 1));
+  cv::findContours(padded, found, holes == Holes::Keep ? cv::RETR_CCOMP : cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE,
+                   offset - cv::Point(1, 1));
   for (const std::vector<cv::Point>& contour : found) {
     std::vector<cv::Point> simple;
     cv::approxPolyDP(contour, simple, tolerance, true);

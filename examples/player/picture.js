@@ -32,12 +32,22 @@
     overlay.append(path);
   }
 
-  function drawName(object) {
-    const size = Math.max(9, run.width / 85);
-    const [x, y, width] = object.box;
-    const speed = object.state === "moving" && object.speed !== undefined ? ` ${object.speed.toFixed(1)} m/s` : "";
-    const baseline = y > 1.4 * size ? y - 0.35 * size : y + size;
-    overlay.append(make.svg("text", { x: x + width / 2, y: baseline, "font-size": size }, `${object.id}${speed}`));
+  // A name stands above its object; where names would overlap, the speed is left out.
+  function drawNames(objects) {
+    const size = run.width / 95;
+    const taken = [];
+    for (const object of objects) {
+      const [left, top, width] = object.box;
+      const x = left + width / 2, y = top > 1.4 * size ? top - 0.35 * size : top + size;
+      const halfWidth = (text) => 0.3 * size * text.length;
+      const isFree = (text) => taken.every((other) =>
+        Math.abs(other.y - y) > size || Math.abs(other.x - x) > halfWidth(text) + halfWidth(other.text));
+      const withSpeed = `#${object.id} ${(object.speed || 0).toFixed(1)} m/s`;
+      const measured = object.state === "moving" && object.speed !== undefined;
+      const text = measured && isFree(withSpeed) ? withSpeed : `#${object.id}`;
+      taken.push({ x, y, text });
+      overlay.append(make.svg("text", { x, y, "font-size": size }, text));
+    }
   }
 
   function draw() {
@@ -59,7 +69,7 @@
     if (view.isOn("predicted"))
       for (const object of frame.objects)
         if (object.predicted) overlay.append(make.svg("path", { class: "predicted", d: pathOf(object.predicted) }));
-    if (view.isOn("names")) shown.forEach(drawName);
+    if (view.isOn("names")) drawNames(shown);
   }
 
   overlay.addEventListener("click", (event) => {

@@ -11,7 +11,7 @@
   // A round number of at least `value`.
   function roundUp(value) {
     const unit = Math.pow(10, Math.floor(Math.log10(value)));
-    return [1, 2, 5, 10].map((factor) => factor * unit).find((candidate) => candidate >= value * 0.999);
+    return [1, 1.5, 2, 3, 4, 5, 6, 8, 10].map((factor) => factor * unit).find((candidate) => candidate >= value * 0.999);
   }
 
   // The frames in a row that have a value: lists of [i, value].
@@ -61,7 +61,6 @@
     const figure = (name) => each((object) => object[name]);
     const largest = (values) => Math.max(0, ...values.filter((value) => value !== undefined));
     const speed = figure("speed"), range = figure("range");
-    if (largest(range) === 0 && speed.every((value) => value === undefined)) byId("facts").append(" It was never measured.");
     const levels = run.decide === undefined ? []
       : [{ value: run.decide, class: "moving" }, { value: 1 - run.decide, class: "static" }];
     return [
@@ -85,11 +84,14 @@
     const decided = track.at.findIndex((o) => o && o.decided);
     const list = [`Frames ${number(track.first)} to ${number(track.last)}.`,
       decided < 0 ? "Never decided." : `First decided in frame ${number(decided)}.`];
+    if (track.at.every((o) => !o || o.speed === undefined)) list.push("Never measured.");
+    const hidden = run.intervals((_, i) => track.at[i] && track.at[i].area === 0);
+    if (hidden.length > 0) list.push(`Not visible in ${run.inWords(hidden)}.`);
     if (object) {
       if (object.class >= 0) list.push(`Class ${object.class}, score ${object.score.toFixed(2)}.`);
       if (object.discovered) list.push("Found by its motion, no mask shows it.");
-      list.push(object.area > 0 ? `${object.area} pixels.` : "Not visible.",
-        object.segmented ? "The network shows it in this frame." : "The network does not show it in this frame.");
+      if (object.area > 0) list.push(`${object.area} pixels.`);
+      list.push(object.segmented ? "The network shows it in this frame." : "The network does not show it in this frame.");
       if (object.points) list.push(`${object.inliers} of ${object.points} points agree.`);
     }
     return list.join(" ");

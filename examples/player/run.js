@@ -18,18 +18,24 @@ const run = (() => {
     }
   });
 
+  // Masks that come late are of a frame, but not in its result.
+  const masksUsed = (frame) => frame.masks && frame.objects.some((object) => object.segmented);
   const cameraFailed = (frame) => ["lost", "too_little_depth"].includes(frame.camera.status);
 
-  // [first, last] of the frames in a row for which test(frame) holds.
+  // [first, last] of the frames in a row for which test(frame, i) holds.
   function intervals(test) {
     const found = [];
     frames.forEach((frame, i) => {
-      if (!test(frame)) return;
+      if (!test(frame, i)) return;
       if (found.length > 0 && found[found.length - 1][1] === i - 1) found[found.length - 1][1] = i;
       else found.push([i, i]);
     });
     return found;
   }
+
+  // "frame 3, frames 8 to 11"
+  const inWords = (list) => list.map(([first, last]) => first === last ? `frame ${frames[first].frame}`
+    : `frames ${frames[first].frame} to ${frames[last].frame}`).join(", ");
 
   const stateNames = { moving: "moving", static: "static", unobservable: "not decided" };
 
@@ -40,7 +46,9 @@ const run = (() => {
     track: (id) => tracks.get(id),
     imageOf: (i) => "data:image/jpeg;base64," + jpegs[i].textContent,
     cameraFailed,
+    masksUsed,
     intervals,
+    inWords,
     stateName: (object) => stateNames[object.state] || object.state,
   };
 })();

@@ -24,16 +24,16 @@
 
   addRow("frame", slider);
   addRow("camera", scrubbed(strip((i) => run.frames[i].camera.status, (i) => run.frames[i].camera.words)));
-  addRow("network masks", scrubbed(strip((i) => run.frames[i].masks && "network",
-    (i) => (run.frames[i].masks ? "the network's masks are of this frame" : ""))));
+  const maskText = (frame) => !frame.masks ? "The network has no masks of this frame: earlier ones are carried on."
+    : run.masksUsed(frame) ? "The network's masks of this frame are used."
+    : "The network's masks of this frame came too late for its result, or show nothing.";
+  addRow("network masks", scrubbed(strip(
+    (i) => run.frames[i].masks && (run.masksUsed(run.frames[i]) ? "network" : "network hidden"),
+    (i) => maskText(run.frames[i]))));
   const selected = addRow("selected object", scrubbed(strip(() => "", () => "")));
 
-  function frames([first, last]) {
-    const number = (i) => run.frames[i].frame;
-    return first === last ? `frame ${number(first)}` : `frames ${number(first)} to ${number(last)}`;
-  }
   const lost = run.intervals(run.cameraFailed);
-  byId("lost").textContent = lost.length === 0 ? "" : "Camera's motion not found: " + lost.map(frames).join(", ") + ".";
+  byId("lost").textContent = lost.length === 0 ? "" : "Camera's motion not found: " + run.inWords(lost) + ".";
 
   byId("title").textContent = run.sequence;
   byId("summary").textContent = run.frames.length === 0 ? "This run has no frames."
@@ -46,7 +46,7 @@
     if (camera.speed !== undefined && !run.cameraFailed(frame)) text += ` Its speed is ${camera.speed.toFixed(1)} m/s.`;
     if (camera.phi !== undefined)
       text += ` ${camera.inliers} of ${camera.points} background points agree, phi ${camera.phi.toFixed(2)}.`;
-    return text + (frame.masks ? " This frame has the network's masks." : " Masks are carried on from earlier frames.");
+    return `${text} ${maskText(frame)}`;
   }
 
   let shownId = null;

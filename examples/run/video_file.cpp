@@ -85,8 +85,6 @@ void VideoFile::finish() {
   impl_->finished = true;
 }
 
-bool can_write_videos() { return true; }
-
 #else
 
 struct VideoFile::Impl {};
@@ -97,7 +95,6 @@ VideoFile::VideoFile(fs::path path, double) {
 VideoFile::~VideoFile() = default;
 void VideoFile::add(const cv::Mat&) {}
 void VideoFile::finish() {}
-bool can_write_videos() { return false; }
 
 #endif
 

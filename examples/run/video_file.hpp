@@ -31,7 +31,4 @@ class VideoFile {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Whether this program can write videos.
-bool can_write_videos();
-
 }  // namespace runner

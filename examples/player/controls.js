@@ -56,14 +56,16 @@
   }
 
   const keys = [
-    { key: "ArrowLeft", name: "left, right", does: "one frame back or forward; with shift ten", run: (e) => go(view.index - (e.shiftKey ? 10 : 1)) },
-    { key: "ArrowRight", run: (e) => go(view.index + (e.shiftKey ? 10 : 1)) },
+    { key: "ArrowLeft", name: "left, right", does: "one frame back or forward; with shift ten",
+      run: (event) => go(view.index - (event.shiftKey ? 10 : 1)) },
+    { key: "ArrowRight", run: (event) => go(view.index + (event.shiftKey ? 10 : 1)) },
     { key: "Home", name: "Home, End", does: "first or last frame", run: () => go(0) },
     { key: "End", run: () => go(run.frames.length - 1) },
     { key: " ", name: "space", does: "play or pause", run: togglePlay },
     { key: "ArrowUp", name: "up, down", does: "select another object of this frame", run: () => selectNext(-1) },
     { key: "ArrowDown", run: () => selectNext(1) },
-    { key: "p", name: "p, n", does: "previous or next change of the selected object's state", run: () => goToChange(-1) },
+    { key: "p", name: "p, n", does: "previous or next change of the selected object's state",
+      run: () => goToChange(-1) },
     { key: "n", run: () => goToChange(1) },
     { key: "Escape", name: "Esc", does: "select nothing", run: () => view.select(null) },
     ...view.layers.map((layer, i) => ({ key: String(i + 1), name: String(i + 1), does: `layer: ${layer.title}`,
@@ -75,7 +77,8 @@
 
   document.addEventListener("keydown", (event) => {
     // A dialog, a list and a button have their own use of keys.
-    const ownKeys = event.target.closest("select") || (event.key === " " && event.target.closest("button, label, input"));
+    const ownKeys = event.target.closest("select") ||
+      (event.key === " " && event.target.closest("button, label, input"));
     if (event.ctrlKey || event.altKey || event.metaKey || byId("help").open || ownKeys) return;
     const found = keys.find(({ key }) => key === event.key);
     if (!found) return;

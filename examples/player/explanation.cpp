@@ -17,6 +17,7 @@ std::string format(const char* pattern, double value) {
   return text;
 }
 
+/// A threshold.
 std::string probability(double p) { return format("%.3g", p); }
 
 const char* name_of(dot::State state) {
@@ -43,7 +44,7 @@ std::string measured(const dot::ObjectResult& object, const dot::Options& option
 /// How the belief leads to the state, for the velocity test.
 std::string believed(const dot::ObjectResult& object, const dot::VelocitySettings& s) {
   const double p = object.p_moving;
-  const std::string is = "P(moving) is " + probability(p);
+  const std::string is = "P(moving) is " + format("%.3f", p);
   switch (object.state) {
     case dot::State::Moving:
       return is + (p > s.decide ? ", above " + probability(s.decide) + ": moving."
@@ -61,8 +62,10 @@ std::string believed(const dot::ObjectResult& object, const dot::VelocitySetting
 std::string weak_evidence(const dot::ObjectResult& object, const dot::VelocitySettings& s) {
   const double limit = speed_limit(s, object.range);
   const double sigma = sigma_of_length(object.velocity, object.velocity_covariance);
-  if (object.speed - 2 * sigma > limit || object.speed + 2 * sigma < limit)
-    return " This frame's measurement speaks for one side, but one measurement may be wrong: more frames are needed.";
+  const bool fast = object.speed - 2 * sigma > limit, slow = object.speed + 2 * sigma < limit;
+  if (fast || slow)
+    return std::string(" This frame alone speaks for ") + (fast ? "moving" : "static") +
+           ", but a single measurement may be wrong: more are needed.";
   return " With this sigma the speed may be on either side of the limit: the measurement tells little.";
 }
 

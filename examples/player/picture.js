@@ -65,7 +65,8 @@
       for (const object of frame.objects) overlay.append(dots(object.texture || []));
     }
     if (view.isOn("network"))
-      for (const outlines of frame.network || []) overlay.append(make.svg("path", { class: "network", d: pathOf(outlines) }));
+      for (const outlines of frame.network || [])
+        overlay.append(make.svg("path", { class: "network", d: pathOf(outlines) }));
     if (view.isOn("predicted"))
       for (const object of frame.objects)
         if (object.predicted) overlay.append(make.svg("path", { class: "predicted", d: pathOf(object.predicted) }));

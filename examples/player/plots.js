@@ -11,7 +11,7 @@
   // A round number of at least `value`.
   function roundUp(value) {
     const unit = Math.pow(10, Math.floor(Math.log10(value)));
-    return [1, 1.5, 2, 3, 4, 5, 6, 8, 10].map((factor) => factor * unit).find((candidate) => candidate >= value * 0.999);
+    return unit * [1, 1.5, 2, 3, 4, 5, 6, 8, 10].find((factor) => factor * unit >= value * 0.999);
   }
 
   // The frames in a row that have a value: lists of [i, value].
@@ -29,28 +29,31 @@
   // One plot. series: [{class, values}]; band: [[low, high] or undefined] a frame; levels: [{value, class}].
   function plot({ name, title, series, band = [], levels = [], ceiling }) {
     const yOf = (value) => top + (height - top - bottom) * (1 - Math.min(ceiling, Math.max(0, value)) / ceiling);
+    const text = (x, y, anchor, words) => svg.append(make.svg("text", { x, y, "text-anchor": anchor }, words));
+    const level = (kind, value) =>
+      svg.append(make.svg("line", { class: kind, x1: left, x2: width - right, y1: yOf(value), y2: yOf(value) }));
     const points = (piece) => piece.map(([i, value]) => `${xOf(i).toFixed(1)},${yOf(value).toFixed(1)}`);
     const svg = make.svg("svg", { viewBox: `0 0 ${width} ${height}`, id: "plot-" + name });
     for (const value of [0, ceiling / 2, ceiling]) {
-      svg.append(make.svg("line", { class: "tick", x1: left, x2: width - right, y1: yOf(value), y2: yOf(value) }));
-      svg.append(make.svg("text", { x: left - 6, y: yOf(value) + 4, "text-anchor": "end" }, String(+value.toPrecision(3))));
+      level("tick", value);
+      text(left - 6, yOf(value) + 4, "end", String(+value.toPrecision(3)));
     }
     for (const piece of pieces(band)) {
       const low = piece.map(([i, range]) => [i, range[0]]).reverse();
       const high = piece.map(([i, range]) => [i, range[1]]);
       svg.append(make.svg("polygon", { class: "band", points: points(high.concat(low)).join(" ") }));
     }
-    for (const { value, class: kind } of levels)
-      svg.append(make.svg("line", { class: "limit " + kind, x1: left, x2: width - right, y1: yOf(value), y2: yOf(value) }));
+    for (const { value, class: kind } of levels) level("limit " + kind, value);
     for (const { class: kind, values } of series) {
       for (const piece of pieces(values)) {
         svg.append(make.svg("polyline", { class: kind, points: points(piece).join(" ") }));
-        if (piece.length === 1 && !kind) svg.append(make.svg("circle", { cx: xOf(piece[0][0]), cy: yOf(piece[0][1]), r: 2 }));
+        const [i, value] = piece[0];
+        if (piece.length === 1 && !kind) svg.append(make.svg("circle", { cx: xOf(i), cy: yOf(value), r: 2 }));
       }
     }
     const last = run.frames.length - 1;
     for (const i of new Set([0, Math.round(last / 2), last]))
-      svg.append(make.svg("text", { x: xOf(i), y: height - 4, "text-anchor": "middle" }, String(run.frames[i].frame)));
+      text(xOf(i), height - 4, "middle", String(run.frames[i].frame));
     svg.append(make.svg("line", { class: "now", y1: top, y2: height - bottom }));
     onScrub(svg, (share) => view.go(((share * width - left) / (width - left - right)) * run.frames.length - 0.5));
     return make.html("figure", { style: "margin: 0" }, make.html("h3", {}, title), svg);
@@ -91,7 +94,8 @@
       if (object.class >= 0) list.push(`Class ${object.class}, score ${object.score.toFixed(2)}.`);
       if (object.discovered) list.push("Found by its motion, no mask shows it.");
       if (object.area > 0) list.push(`${object.area} pixels.`);
-      list.push(object.segmented ? "The network shows it in this frame." : "The network does not show it in this frame.");
+      if (run.masksUsed(view.frame))
+        list.push(`The network ${object.segmented ? "shows" : "does not show"} it in this frame.`);
       if (object.points) list.push(`${object.inliers} of ${object.points} points agree.`);
     }
     return list.join(" ");

@@ -33,9 +33,13 @@ const run = (() => {
     return found;
   }
 
-  // "frame 3, frames 8 to 11"
-  const inWords = (list) => list.map(([first, last]) => first === last ? `frame ${frames[first].frame}`
-    : `frames ${frames[first].frame} to ${frames[last].frame}`).join(", ");
+  // "frame 3", "frames 3, 8 to 11"
+  function inWords(list) {
+    const number = (i) => frames[i].frame;
+    const parts = list.map(([first, last]) => first === last ? number(first) : `${number(first)} to ${number(last)}`);
+    const single = list.length === 1 && list[0][0] === list[0][1];
+    return (single ? "frame " : "frames ") + parts.join(", ");
+  }
 
   const stateNames = { moving: "moving", static: "static", unobservable: "not decided" };
 

@@ -11,7 +11,7 @@
   container.append(make.html("table", {},
     make.html("thead", {}, make.html("tr", {}, ...head.map((name) => make.html("th", {}, name)))), body));
 
-  const number = (value, digits) => (value === undefined ? "" : value.toFixed(digits));
+  const number = (value) => (value === undefined ? "" : value.toFixed(value < 10 ? 2 : 1));
 
   const rows = run.tracks.map((track) => {
     const cells = head.map(() => make.html("td"));
@@ -32,10 +32,10 @@
     row.hidden = presentOnly.checked && !object && track.id !== view.id;
     cells[2].className = object ? object.state : "";
     cells[2].textContent = object ? run.stateName(object) : "";
-    cells[3].textContent = number(object && object.p, 2);
-    cells[4].textContent = number(object && object.speed, 1);
-    cells[5].textContent = number(object && object.sigma, 1);
-    cells[6].textContent = number(object && object.range, 1);
+    cells[3].textContent = number(object && object.p);
+    cells[4].textContent = number(object && object.speed);
+    cells[5].textContent = number(object && object.sigma);
+    cells[6].textContent = number(object && object.range);
     cells[7].textContent = object ? object.words : "not in this frame";
   }
 

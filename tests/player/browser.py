@@ -82,8 +82,9 @@ class Browser:
                 "Escape": 27, "Enter": 13}.get(key, ord(key[0]))
         bits = sum(MODIFIERS[m] for m in modifiers)
         text = {"text": key} if len(key) == 1 else {}
-        self._page("Input.dispatchKeyEvent", type="keyDown", key=key, windowsVirtualKeyCode=code, modifiers=bits, **text)
-        self._page("Input.dispatchKeyEvent", type="keyUp", key=key, windowsVirtualKeyCode=code, modifiers=bits)
+        event = {"key": key, "windowsVirtualKeyCode": code, "modifiers": bits}
+        self._page("Input.dispatchKeyEvent", type="keyDown", **event, **text)
+        self._page("Input.dispatchKeyEvent", type="keyUp", **event)
 
     def click(self, x, y):
         """In pixels of the window."""

@@ -46,11 +46,12 @@ TEST(Explanation, EachCameraStatusHasItsOwnWords) {
 
 TEST(Explanation, OfDecidedObjectsByTheThresholds) {
   const dot::Options options;
-  EXPECT_EQ(explanation(object(dot::State::Moving, 0.95), options),
-            "Measured 3.00 m/s (sigma 0.20) at 20.0 m; faster than 0.50 m/s counts as moving. P(moving) is 0.95, above "
-            "0.9: moving.");
+  EXPECT_EQ(
+      explanation(object(dot::State::Moving, 0.95), options),
+      "Measured 3.00 m/s (sigma 0.20) at 20.0 m; faster than 0.50 m/s counts as moving. P(moving) is 0.950, above "
+      "0.9: moving.");
   EXPECT_TRUE(has(explanation(object(dot::State::Moving, 0.85), options), "still above 0.8: it stays moving."));
-  EXPECT_TRUE(has(explanation(object(dot::State::Static, 0.03), options), "P(moving) is 0.03, below 0.1: static."));
+  EXPECT_TRUE(has(explanation(object(dot::State::Static, 0.03), options), "P(moving) is 0.030, below 0.1: static."));
   EXPECT_TRUE(has(explanation(object(dot::State::Static, 0.15), options), "still below 0.2: it stays static."));
 }
 
@@ -64,15 +65,18 @@ TEST(Explanation, WhyNotDecided) {
   const dot::Options options;
   dot::ObjectResult o = object(dot::State::NotObservable, 0.63);
   EXPECT_TRUE(
-      has(explanation(o, options), "P(moving) is 0.63: not decided. Above 0.9 it would be moving, below 0.1 static."));
-  EXPECT_TRUE(has(explanation(o, options), "more frames are needed"));
+      has(explanation(o, options), "P(moving) is 0.630: not decided. Above 0.9 it would be moving, below 0.1 static."));
+  EXPECT_TRUE(has(explanation(o, options), "This frame alone speaks for moving, but"));
+  o.speed = 0.01;
+  EXPECT_TRUE(has(explanation(o, options), "This frame alone speaks for static, but"));
   o.velocity_covariance[8] = 4;
   EXPECT_TRUE(has(explanation(o, options), "With this sigma the speed may be on either side of the limit"));
   o.reason = dot::Reason::TooLittleTexture;
   o.last_decided = dot::State::Static;
-  EXPECT_EQ(explanation(o, options),
-            "Not measured in this frame: it has too little texture. P(moving) is 0.63: not decided. Above 0.9 it would "
-            "be moving, below 0.1 static. It was last decided: static.");
+  EXPECT_EQ(
+      explanation(o, options),
+      "Not measured in this frame: it has too little texture. P(moving) is 0.630: not decided. Above 0.9 it would "
+      "be moving, below 0.1 static. It was last decided: static.");
 }
 
 TEST(Explanation, OfAClassThatAlwaysMoves) {

@@ -26,7 +26,8 @@ LOST = 12
 def data_of(path):
     with open(path, encoding="utf-8") as file:
         text = file.read()
-    return [json.loads(frame) for frame in re.findall(r'<script type="application/json" class="frame">(.*?)</script>', text)]
+    frames = re.findall(r'<script type="application/json" class="frame">(.*?)</script>', text)
+    return [json.loads(frame) for frame in frames]
 
 
 def write_black(path, width, height):
@@ -106,6 +107,9 @@ class Whole(unittest.TestCase):
 
     def count(self, selector):
         return self.browser.value(f"document.querySelectorAll({json.dumps(selector)}).length")
+
+    def attribute(self, selector, name):
+        return self.browser.value(f"document.querySelector({json.dumps(selector)}).getAttribute({json.dumps(name)})")
 
     def selected_rows(self):
         return self.browser.value("[...document.querySelectorAll('#table tr.selected')].map(r => r.dataset.id)")
@@ -196,9 +200,12 @@ class Whole(unittest.TestCase):
         self.shows_frame(17)
 
     def test_changes_of_state(self):
-        states = lambda identity: [o["state"] if (o := self.objects(i).get(identity)) else None for i in range(24)]
-        identity, changes = next((identity, changes) for identity in sorted(self.objects(8))
-                                 if (changes := [i for i in range(1, 24) if (s := states(identity))[i] not in (None, s[i - 1])]))
+        def changes_of(identity):
+            states = [self.objects(i).get(identity, {}).get("state") for i in range(24)]
+            return [i for i in range(1, 24) if states[i] not in (None, states[i - 1])]
+
+        identity, changes = max(((i, changes_of(i)) for i in self.objects(8)), key=lambda pair: len(pair[1]))
+        self.assertGreater(len(changes), 0, "the data")
         self.browser.click_on(f"#table tr[data-id='{identity}']")
         self.browser.value("document.activeElement.blur()")
         for change in changes:
@@ -232,7 +239,7 @@ class Whole(unittest.TestCase):
         self.browser.key("5")
         self.assertEqual(self.count("#overlay path.texture"), 0)
         self.browser.click_on("#layer-texture")
-        self.assertGreater(self.browser.value("document.querySelector('#overlay path.texture').getAttribute('d').length"), 100)
+        self.assertGreater(self.attribute("#overlay path.texture", "d").count("M"), 100)
         self.browser.click_on("#layer-texture")
         self.browser.value("document.activeElement.blur()")
 
@@ -247,7 +254,7 @@ class Whole(unittest.TestCase):
         self.assertEqual([f["frame"] for f in self.data if f["camera"]["status"] == "lost"], [LOST], "the data")
         self.assertEqual(self.browser.text("#lost"), f"Camera's motion not found: frame {LOST}.")
         self.assertEqual(self.count("#timeline rect.lost"), 1)
-        self.assertEqual(self.browser.value("document.querySelector('#timeline rect.lost').getAttribute('x')"), str(LOST))
+        self.assertEqual(self.attribute("#timeline rect.lost", "x"), str(LOST))
         self.go(LOST)
         self.assertEqual(self.browser.value("document.getElementById('camera').className"), "bad")
         self.assertIn("not found", self.browser.text("#camera"))
@@ -331,6 +338,16 @@ class Small(unittest.TestCase):
         self.assertRegex(browser.text("#frame-title"), "^Frame 0, ")
         self.assertEqual(browser.text("#play"), "Play")
         self.assertEqual(browser.complaints, [])
+
+    def test_late_masks(self):
+        # Frame 0's masks come after frame 3, those of frame 4 not before the end.
+        browser = self.look_at(page_of("late", 6, "--mask-every", "4", "--mask-delay", "3"))
+        self.assertIn("came too late for its result", browser.text("#camera"))
+        for _ in range(4):
+            browser.key("ArrowRight")
+        self.assertIn("came too late for its result", browser.text("#camera"))
+        browser.key("ArrowLeft")
+        self.assertIn("The network has no masks of this frame", browser.text("#camera"))
 
     def test_no_frames(self):
         page = page_of("one", 1)

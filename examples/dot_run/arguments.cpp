@@ -35,7 +35,7 @@ player must be named.
 /// An ending that none of the recording's files has: these cannot be overwritten by mistake.
 std::filesystem::path with_ending(const std::string& option, const std::string& value,
                                   std::initializer_list<const char*> endings) {
-  const std::filesystem::path path = not_empty(option, value);
+  std::filesystem::path path = not_empty(option, value);
   std::string known;
   for (const char* const ending : endings) {
     if (path.extension() == ending) return path;

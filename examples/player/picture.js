@@ -56,7 +56,7 @@
     if (!frame) return;
     image.src = run.imageOf(view.index);
     image.alt = `frame ${frame.frame}`;
-    // Large ones first, so that a small one before it can be clicked.
+    // Large ones first: their names have the first choice.
     const shown = frame.objects.filter((object) => object.area > 0 && view.isOn(object.state))
       .sort((a, b) => b.area - a.area);
     shown.forEach(drawObject);

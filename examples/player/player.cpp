@@ -68,7 +68,6 @@ Player::Player(fs::path path, const RunInfo& info)
   file_.stream() << "<script type=\"application/json\" id=\"run\">";
   run_data(info).write(file_.stream(), Json::one_line);
   file_.stream() << "</script>\n";
-  file_.flush();
 }
 
 Player::~Player() {

@@ -7,8 +7,8 @@
 
 #include "dot/pipeline/options.hpp"
 #include "player/player.hpp"
+#include "player/video_file.hpp"
 #include "run/run_options.hpp"
-#include "run/video_file.hpp"
 #include "run/writer.hpp"
 #include "sequence/sequence.hpp"
 
@@ -38,7 +38,7 @@ class RunWriter {
 
  private:
   std::optional<ResultWriter> results_;
-  std::optional<VideoFile> video_;
+  std::optional<player::VideoFile> video_;
   std::optional<player::Player> player_;
 };
 

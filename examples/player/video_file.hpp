@@ -6,7 +6,7 @@
 #include <memory>
 #include <opencv2/core.hpp>
 
-namespace runner {
+namespace player {
 
 /// A video of pictures of one size, by OpenCV's module videoio. It has its name when it is finished, and else leaves
 /// nothing. H.264 where OpenCV can encode it, else MPEG-4.
@@ -31,4 +31,4 @@ class VideoFile {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace runner
+}  // namespace player

@@ -15,7 +15,7 @@
 #include <opencv2/videoio.hpp>
 #endif
 
-namespace runner {
+namespace player {
 namespace fs = std::filesystem;
 
 #ifdef DOT_EXAMPLE_VIDEO
@@ -49,7 +49,7 @@ struct VideoFile::Impl {
 VideoFile::VideoFile(fs::path path, double fps) : impl_(std::make_unique<Impl>(Impl{std::move(path), fps, {}})) {
   std::error_code error;
   if (!std::ofstream(impl_->unfinished()) || fs::is_directory(impl_->path, error))
-    throw FileError(impl_->path.string() + ": cannot be written");
+    throw runner::FileError(impl_->path.string() + ": cannot be written");
 }
 
 VideoFile::~VideoFile() {
@@ -67,7 +67,7 @@ void VideoFile::add(const cv::Mat& picture) {
                        impl_->fps, padded.size());
   }
   if (!impl_->writer.isOpened())
-    throw FileError(impl_->path.string() + ": OpenCV has no encoder for a video of this kind and size");
+    throw runner::FileError(impl_->path.string() + ": OpenCV has no encoder for a video of this kind and size");
   impl_->writer.write(padded);
   ++impl_->pictures;
 }
@@ -80,8 +80,8 @@ void VideoFile::finish() {
   std::error_code error;
   if (kept == impl_->pictures) fs::rename(impl_->unfinished(), impl_->path, error);
   if (kept != impl_->pictures || error)
-    throw FileError(impl_->path.string() + ": cannot be written: " + std::to_string(kept) + " of " +
-                    std::to_string(impl_->pictures) + " pictures arrived");
+    throw runner::FileError(impl_->path.string() + ": cannot be written: " + std::to_string(kept) + " of " +
+                            std::to_string(impl_->pictures) + " pictures arrived");
   impl_->finished = true;
 }
 
@@ -90,7 +90,8 @@ void VideoFile::finish() {
 struct VideoFile::Impl {};
 
 VideoFile::VideoFile(fs::path path, double) {
-  throw FileError(path.string() + ": cannot be written: this program was built without OpenCV's module videoio");
+  throw runner::FileError(path.string() +
+                          ": cannot be written: this program was built without OpenCV's module videoio");
 }
 VideoFile::~VideoFile() = default;
 void VideoFile::add(const cv::Mat&) {}
@@ -98,4 +99,4 @@ void VideoFile::finish() {}
 
 #endif
 
-}  // namespace runner
+}  // namespace player

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
-#include "run/video_file.hpp"
+#include "player/video_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ class VideoKinds : public ::testing::TestWithParam<const char*> {};
 TEST_P(VideoKinds, HoldsThePicturesInTheirOrder) {
   const RecordingFolder folder;
   const fs::path path = folder.path() / (std::string("video") + GetParam());
-  runner::VideoFile file(path, 12);
+  player::VideoFile file(path, 12);
   for (int i = 0; i < 5; ++i) file.add(cv::Mat(61, 83, CV_8UC3, cv::Scalar::all(40 + 40 * i)));  // odd sizes
   EXPECT_FALSE(fs::exists(path));
   file.finish();
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(All, VideoKinds, ::testing::Values(".mp4", ".mkv", ".av
 TEST(VideoFile, StoppedInTheMiddleLeavesNothing) {
   const RecordingFolder folder;
   {
-    runner::VideoFile file(folder.path() / "video.mp4", 10);
+    player::VideoFile file(folder.path() / "video.mp4", 10);
     file.add(cv::Mat(60, 80, CV_8UC3, cv::Scalar::all(0)));
   }
   EXPECT_EQ(files_in(folder.path()), 0);
@@ -59,9 +59,9 @@ TEST(VideoFile, StoppedInTheMiddleLeavesNothing) {
 
 TEST(VideoFile, SaysWhatCannotBeWritten) {
   const RecordingFolder folder;
-  EXPECT_THROW(runner::VideoFile(folder.path() / "none" / "video.mp4", 10), runner::FileError);
+  EXPECT_THROW(player::VideoFile(folder.path() / "none" / "video.mp4", 10), runner::FileError);
   fs::create_directory(folder.path() / "folder.mp4");
-  EXPECT_THROW(runner::VideoFile(folder.path() / "folder.mp4", 10), runner::FileError);
+  EXPECT_THROW(player::VideoFile(folder.path() / "folder.mp4", 10), runner::FileError);
 }
 
 #else
@@ -69,7 +69,7 @@ TEST(VideoFile, SaysWhatCannotBeWritten) {
 TEST(VideoFile, SaysThatTheModuleIsMissing) {
   const RecordingFolder folder;
   try {
-    runner::VideoFile file(folder.path() / "video.mp4", 10);
+    player::VideoFile file(folder.path() / "video.mp4", 10);
     FAIL();
   } catch (const runner::FileError& error) {
     EXPECT_NE(std::string(error.what()).find("built without OpenCV's module videoio"), std::string::npos);

@@ -16,6 +16,7 @@ usage: ./dev.sh VERB
 
   demo       build the runner, run it on the sample sequence, show where the pictures are
   test       build everything and run all tests
+  player     test the page of dot_run --player in Chromium, which is installed; leave pictures of it in out/player
   bench      build and run the benchmarks, those beside OpenCV's odometry too; with arguments Google Benchmark's
              alone, which get them, e.g. --benchmark_filter=warp
   wheel      build the Python package's wheel, in out/wheel
@@ -102,6 +103,14 @@ run_tests() {
   compile all
   say "testing"
   ctest --test-dir "$build" --output-on-failure -j2 || fail "tests failed; what each of them printed is above"
+}
+
+player() {
+  need chromium python3
+  compile dot_run
+  say "testing the player in Chromium"
+  tests/player/player_test.py "$build/examples/dot_run" "$sample" chromium "$root/out/player" || fail "what failed is above"
+  echo "pictures of it are in $root/out/player"
 }
 
 # bench [OPTION...]: without options all of them, on the sample where they want a sequence; in out/bench what they print
@@ -282,6 +291,7 @@ verb=${1:-help}
 case $verb in
   demo) demo ;;
   test) run_tests ;;
+  player) player ;;
   bench) bench "$@" ;;
   wheel) wheel ;;
   format) format ;;

@@ -6,9 +6,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "page/escape.hpp"
 #include "text_table.hpp"
 
 namespace eval {
+using page::escaped;
+
 namespace {
 
 std::string coordinate(double value) { return number("%.1f", value); }
@@ -196,23 +199,6 @@ std::string lines(const ChartSize& size, const std::vector<double>& x, const std
     flush();
   }
   return svg + "</svg>\n";
-}
-
-std::string escaped(const std::string& words) {
-  std::string safe;
-  for (const char c : words) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else if (c == '"')
-      safe += "&quot;";
-    else
-      safe += c;
-  }
-  return safe;
 }
 
 }  // namespace eval

@@ -39,7 +39,4 @@ std::string stacked_shares(const ChartSize& size, const std::vector<std::string>
 /// A line for each series over common x, the first one on top.
 std::string lines(const ChartSize& size, const std::vector<double>& x, const std::vector<Series>& series);
 
-/// Text with the characters that mean something to HTML replaced.
-std::string escaped(const std::string& text);
-
 }  // namespace eval

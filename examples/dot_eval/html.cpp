@@ -6,12 +6,17 @@
 #include <cmath>
 #include <cstddef>
 
-#include "base64.hpp"
 #include "chart.hpp"
-#include "page_style.hpp"
+#include "page/base64.hpp"
+#include "page/escape.hpp"
+#include "page/style.hpp"
 #include "text_table.hpp"
 
 namespace eval {
+
+using page::base64;
+using page::escaped;
+
 namespace {
 
 const char* const colour_names[] = {"moving", "static", "unobservable", "missed", "rate0",  "rate1",
@@ -20,7 +25,7 @@ const char* const colour_names[] = {"moving", "static", "unobservable", "missed"
 constexpr std::size_t rate_colours = 6;
 
 std::string style() {
-  std::string css = page_style;
+  std::string css(page::style_css);
   for (const std::string name : colour_names) {
     const std::string colour = "var(--" + name + "); }";
     css += "rect." + name + " { fill: " + colour;

@@ -3,13 +3,13 @@
 #pragma once
 
 #include "run/run_options.hpp"
-#include "run/writer.hpp"
+#include "run_writer.hpp"
 
 namespace runner {
 
 struct Arguments {
   RunOptions run;
-  OutputOptions output;
+  Outputs output;
   int mask_delay = 0;  ///< frames
   bool help = false;
 };

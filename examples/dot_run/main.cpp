@@ -13,6 +13,7 @@
 #include "arguments.hpp"
 #include "dot/tracker.hpp"
 #include "progress.hpp"
+#include "run_writer.hpp"
 #include "sequence/depth_source.hpp"
 #include "sequence/errors.hpp"
 #include "sequence/sequence.hpp"
@@ -27,7 +28,7 @@ void run(const Arguments& arguments) {
   const dot::Options options = tracker_options(arguments.run, sequence.depth_source());
   cv::setNumThreads(options.threads);
   dot::Tracker tracker(sequence.intrinsics(), options);
-  ResultWriter writer(arguments.output, source.folder);
+  RunWriter writer(arguments.output, source, sequence, options);
   Summary summary(source);
   std::printf("sequence  %s: %d frames, %dx%d, depth %s (%s)\n", source.folder.c_str(), sequence.size(),
               sequence.intrinsics().width, sequence.intrinsics().height,

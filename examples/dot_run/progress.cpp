@@ -27,6 +27,23 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
+std::string full_path(const std::filesystem::path& path) {
+  return std::filesystem::absolute(path).lexically_normal().string();
+}
+
+void print_files(const Outputs& output) {
+  const OutputOptions& results = output.results;
+  if (!results.out.empty()) {
+    std::printf("results   %s\n", full_path(results.out).c_str());
+    std::printf("          labels/ instances/ %scamera.txt objects.csv timing.csv\n",
+                results.overlay ? "overlay/ " : "");
+  }
+  if (!results.masks_out.empty())
+    std::printf("masks out %s: mask_dot/ mask_all/\n", full_path(results.masks_out).c_str());
+  if (!output.video.empty()) std::printf("video     %s\n", full_path(output.video).c_str());
+  if (!output.player.empty()) std::printf("player    %s\n", full_path(output.player).c_str());
+}
+
 }  // namespace
 
 Progress::Progress(int frames) : frames_(frames), terminal_(isatty(STDOUT_FILENO) == 1) {}
@@ -73,7 +90,7 @@ void Summary::print_masks() const {
                 source_.mask_every, 2 * source_.mask_every);
 }
 
-void Summary::print(const OutputOptions& output) const {
+void Summary::print(const Outputs& output) const {
   const auto count_objects = [&](dot::State state) {
     return std::count_if(last_decided_.begin(), last_decided_.end(),
                          [&](auto& entry) { return entry.second == state; });
@@ -100,12 +117,7 @@ void Summary::print(const OutputOptions& output) const {
     std::printf("time      %.1f ms (first frame)\n", total_ms_.front());
   }
 
-  const std::filesystem::path out = std::filesystem::absolute(output.out).lexically_normal();
-  std::printf("results   %s\n", out.c_str());
-  std::printf("          labels/ instances/ %scamera.txt objects.csv timing.csv\n", output.overlay ? "overlay/ " : "");
-  if (!output.masks_out.empty())
-    std::printf("masks out %s: mask_dot/ mask_all/\n",
-                std::filesystem::absolute(output.masks_out).lexically_normal().c_str());
+  print_files(output);
 }
 
 }  // namespace runner

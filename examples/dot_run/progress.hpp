@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dot/pipeline/result.hpp"
-#include "run/writer.hpp"
+#include "run_writer.hpp"
 
 namespace runner {
 
@@ -36,7 +36,7 @@ class Summary {
 
   /// Prints frames, how many of them had masks, objects by state, what was wrong with the depth, times and where the
   /// outputs lie.
-  void print(const OutputOptions& output) const;
+  void print(const Outputs& output) const;
 
  private:
   void print_masks() const;

@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
 #include "dot_eval/hidden_movers.hpp"
+#include "support/hand_made_result.hpp"
 
 #include <gtest/gtest.h>
-
-#include "hand_made_result.hpp"
 
 namespace eval {
 namespace {
 
 using dot::State;
-using test::HandMadeResult;
 
 const cv::Size frame_size(120, 60);
 const cv::Rect first(0, 0, 40, 30);  // 1,200 pixels each

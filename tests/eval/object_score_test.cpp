@@ -1,18 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
 #include "dot_eval/object_score.hpp"
+#include "support/hand_made_result.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "hand_made_result.hpp"
-
 namespace eval {
 namespace {
 
 using dot::State;
-using test::HandMadeResult;
 
 const cv::Size frame_size(60, 40);
 const cv::Rect place_a(0, 0, 20, 20);  // 400 pixels each

@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "dot_eval/base64.hpp"
 #include "dot_eval/html.hpp"
-#include "dot_eval/json.hpp"
 #include "dot_eval/report.hpp"
 #include "dot_eval/text_table.hpp"
 
@@ -54,21 +52,6 @@ std::string text(const Json& json) {
   std::ostringstream stream;
   json.write(stream);
   return stream.str();
-}
-
-TEST(Json, ValuesAndEscapes) {
-  EXPECT_EQ(text(Json("a\"b\\c\n")), "\"a\\\"b\\\\c\\u000a\"");
-  EXPECT_EQ(text(Json(0.1)), "0.1");
-  EXPECT_EQ(text(Json(not_a_number)), "null");
-  EXPECT_EQ(text(Json::array({1, true, Json()})), "[1, true, null]");
-  EXPECT_EQ(text(Json::object({{"a", 1}, {"b", Json::array()}})), "{\n \"a\": 1,\n \"b\": []}");
-}
-
-TEST(Base64, AsInTheStandard) {
-  EXPECT_EQ(base64({'f'}), "Zg==");
-  EXPECT_EQ(base64({'f', 'o'}), "Zm8=");
-  EXPECT_EQ(base64({'f', 'o', 'o'}), "Zm9v");
-  EXPECT_EQ(base64({0xFF, 0xEE, 0xDD, 0xCC}), "/+7dzA==");
 }
 
 TEST(Report, FailedRunsSayWhy) {

@@ -4,13 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "hand_made_result.hpp"
+#include "support/hand_made_result.hpp"
 
 namespace eval {
 namespace {
 
 using dot::State;
-using test::HandMadeResult;
 
 const cv::Size frame_size(120, 60);
 

@@ -118,6 +118,20 @@ fresh
 accepts "delayed masks" "$seq" --out "$out" --mask-every 4 --mask-delay 1
 ! grep -q '^[01],' "$out/objects.csv" || fail "masks show before they have arrived"
 grep -q '^2,' "$out/objects.csv" || fail "masks that arrived late do not show"
+# A page or a video needs no other output.
+fresh
+accepts "player alone" "$seq" --player "$work/run.html"
+grep -qF "player    $work/run.html" "$work/stdout" || fail "the summary does not name the player"
+[ "$(grep -c 'class="frame"' "$work/run.html")" -eq 3 ] || fail "the player does not have the frames"
+accepts "player in the folder of the results" "$seq" --out "$out" --player "$out/run.html" --overlay
+accepts "the same again" "$seq" --out "$out" --player="$out/run.html"
+has "$out/run.html" "$out/timing.csv"
+if "$dot_run" "$seq" --video "$work/run.mp4" > "$work/stdout" 2> "$work/stderr"; then
+  has "$work/run.mp4"
+  grep -qF "video     $work/run.mp4" "$work/stdout" || fail "the summary does not name the video"
+else
+  grep -qF "built without OpenCV's module videoio" "$work/stderr" || fail "no video, and not for want of videoio"
+fi
 accepts "help" --help
 grep -q -- '--mask-every' "$work/stdout" || fail "--help does not list the options"
 
@@ -135,6 +149,12 @@ fresh
 rejects "unknown option" 2 "--no-such-option" "$seq" --out "$out" --no-such-option
 rejects "no sequence" 2 "sequence" --out "$out"
 rejects "no output" 2 "--out" "$seq"
+rejects "pictures without a folder for them" 2 "--overlay needs --out" "$seq" --player "$out.html" --overlay
+rejects "masks without results" 2 "--masks-out needs --out" "$seq" --player "$out.html" --masks-out "$out"
+rejects "player of another kind" 2 "--player needs a name that ends in .html, not 'run.png'" "$seq" --player run.png
+rejects "video of another kind" 2 "--video needs a name that ends in .mp4 or .mkv or .avi" "$seq" --video run.html
+rejects "player in no folder" 1 "$out/run.html: cannot be written" "$seq" --player "$out/run.html"
+rejects "video in no folder" 1 "$out/run.mp4: cannot be written" "$seq" --video "$out/run.mp4"
 rejects "option without value" 2 "--out" "$seq" --out
 rejects "two sequences" 2 "more than one sequence" "$seq" "$seq" --out "$out"
 rejects "mask rate 0" 2 "--mask-every" "$seq" --out "$out" --mask-every 0
@@ -292,6 +312,16 @@ fresh
 mkdir -p "$out"; echo "my camera" > "$out/camera.txt"
 rejects "camera.txt of somebody else" 1 "$out/camera.txt" "$seq" --out "$out"
 [ "$(cat "$out/camera.txt")" = "my camera" ] || fail "camera.txt of somebody else was written to"
+
+# --- A run that ends with an error leaves neither page nor video, nor the half of one.
+
+fresh
+rm "$seq/depth/000002.png"
+touch "$work/$cases/seq/depth/000002.png"
+mkdir "$out"
+"$dot_run" "$seq" --player "$out/run.html" > /dev/null 2> "$work/stderr" && fail "an empty depth image is accepted"
+"$dot_run" "$seq" --video "$out/run.mp4" > /dev/null 2> "$work/stderr" && fail "an empty depth image is accepted"
+[ -z "$(ls "$out")" ] || fail "an error leaves $(ls "$out")"
 
 # --- A run that is killed: no picture is half written, no table has its name; the next run is as any other.
 

@@ -11,8 +11,6 @@
 #include "dot/image/view.hpp"
 #include "dot/pipeline/result.hpp"
 
-namespace eval::test {
-
 /// A result made by hand: paint tracks, then take `result`.
 class HandMadeResult {
  public:
@@ -48,5 +46,3 @@ class HandMadeResult {
   cv::Mat ids_;
   std::vector<dot::ObjectResult> objects_;
 };
-
-}  // namespace eval::test

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace eval {
+namespace page {
 
 /// A JSON value to be written; members keep their order. Numbers that are not finite become null.
 class Json {
@@ -31,6 +31,9 @@ class Json {
   /// Appends to an array.
   void push(Json value);
 
+  static constexpr int one_line = -1;
+
+  /// @param indent of the value's own lines, or `one_line`: nothing but the value, without spaces and new lines.
   void write(std::ostream& out, int indent = 0) const;
 
  private:
@@ -40,4 +43,4 @@ class Json {
   Value value_;
 };
 
-}  // namespace eval
+}  // namespace page

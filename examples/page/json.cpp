@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace eval {
+namespace page {
 namespace {
 
 void write_text(std::ostream& out, const std::string& text) {
@@ -14,7 +14,7 @@ void write_text(std::ostream& out, const std::string& text) {
   for (const char c : text) {
     if (c == '"' || c == '\\') {
       out << '\\' << c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == '<') {  // "</script>" would end the element it stands in
       char code[8];
       std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(c));
       out << code;
@@ -31,7 +31,10 @@ void write_number(std::ostream& out, double value) {
   out << (std::isfinite(value) ? text : "null");
 }
 
-void new_line(std::ostream& out, int indent) { out << '\n' << std::string(static_cast<std::size_t>(indent), ' '); }
+/// For a member or an item.
+void new_line(std::ostream& out, int indent) {
+  if (indent != Json::one_line) out << '\n' << std::string(static_cast<std::size_t>(indent), ' ');
+}
 
 }  // namespace
 
@@ -42,6 +45,8 @@ void Json::set(const std::string& name, Json value) {
 void Json::push(Json value) { std::get<std::vector<Json>>(value_).push_back(std::move(value)); }
 
 void Json::write(std::ostream& out, int indent) const {
+  const bool spaced = indent != one_line;
+  const int inner = spaced ? indent + 1 : one_line;
   if (const auto* flag = std::get_if<bool>(&value_)) {
     out << (*flag ? "true" : "false");
   } else if (const auto* whole = std::get_if<long>(&value_)) {
@@ -58,19 +63,19 @@ void Json::write(std::ostream& out, int indent) const {
     });
     out << '[';
     for (std::size_t i = 0; i < items->size(); ++i) {
-      if (i > 0) out << (flat ? ", " : ",");
-      if (!flat) new_line(out, indent + 1);
-      (*items)[i].write(out, indent + 1);
+      if (i > 0) out << (flat && spaced ? ", " : ",");
+      if (!flat) new_line(out, inner);
+      (*items)[i].write(out, inner);
     }
     out << ']';
   } else if (const auto* members = std::get_if<std::vector<Member>>(&value_)) {
     out << '{';
     for (std::size_t i = 0; i < members->size(); ++i) {
       if (i > 0) out << ',';
-      new_line(out, indent + 1);
+      new_line(out, inner);
       write_text(out, (*members)[i].first);
-      out << ": ";
-      (*members)[i].second.write(out, indent + 1);
+      out << (spaced ? ": " : ":");
+      (*members)[i].second.write(out, inner);
     }
     out << '}';
   } else {
@@ -78,4 +83,4 @@ void Json::write(std::ostream& out, int indent) const {
   }
 }
 
-}  // namespace eval
+}  // namespace page

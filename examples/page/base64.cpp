@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace eval {
+namespace page {
 
 std::string base64(const std::vector<std::uint8_t>& bytes) {
   constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -23,4 +23,4 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
   return text;
 }
 
-}  // namespace eval
+}  // namespace page

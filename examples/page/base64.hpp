@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace eval {
+namespace page {
 
 /// Bytes as text (RFC 4648).
 std::string base64(const std::vector<std::uint8_t>& bytes);
 
-}  // namespace eval
+}  // namespace page

@@ -34,6 +34,9 @@ docs/evaluation.md defines the figures. The exit status is 1 when a sequence fai
   --starts STEP             start a tracker at every STEP-th frame and measure its first frames, instead of the above
   --start-frames N          frames after each start (default 8)
   --drop-largest K          with --starts: leave the largest mover out of the masks of the first K frames
+  --network-delay MS,...    hand the masks over as late as a network that takes so many ms for a frame, and compare
+                            with masks that come with their frame, instead of the above
+  --plot FILE               with --network-delay: F1, mask IoU and decided share against the delay, as SVG
 )";
 
 std::vector<int> parse_rates(const std::string& option, const std::string& value) {
@@ -43,6 +46,15 @@ std::vector<int> parse_rates(const std::string& option, const std::string& value
   if (std::set<int>(rates.begin(), rates.end()).size() != rates.size())
     throw UsageError(option + " names a rate twice: " + value);
   return rates;
+}
+
+std::vector<int> parse_delays(const std::string& option, const std::string& value) {
+  constexpr int most = 10000;  // ms
+  std::vector<int> delays;
+  for (const std::string& piece : runner::split(value, ','))
+    delays.push_back(runner::whole_number(option, piece, 0, most));
+  if (delays.empty()) throw UsageError(option + " needs whole numbers of milliseconds");
+  return delays;
 }
 
 double parse_speed(const std::string& option, const std::string& value) {
@@ -55,6 +67,10 @@ void check(const Arguments& a) {
   if (a.sequences.empty()) throw UsageError("no sequence folder given");
   if (!a.run.sequence.camera.empty() && a.sequences.size() > 1)
     throw UsageError("--camera belongs to one sequence, and " + std::to_string(a.sequences.size()) + " are given");
+  if (!a.plot.empty() && a.network_delays.empty()) throw UsageError("--plot needs --network-delay");
+  if (!a.network_delays.empty() &&
+      (a.starts > 0 || a.rates.size() > 1 || !a.out.empty() || !a.html.empty() || !a.json.empty()))
+    throw UsageError("--network-delay does not go with --starts, several --rates, --out, --html or --json");
   if (a.drop_largest > 0 && a.starts == 0) throw UsageError("--drop-largest needs --starts");
 }
 
@@ -82,6 +98,8 @@ Arguments parse_arguments(int count, const char* const* values) {
               [&](auto& name, auto& value) { a.start_frames = runner::whole_number(name, value, 2); });
   line.option("--drop-largest",
               [&](auto& name, auto& value) { a.drop_largest = runner::whole_number(name, value, 0); });
+  line.option("--network-delay", [&](auto& name, auto& value) { a.network_delays = parse_delays(name, value); });
+  line.option("--plot", [&](auto& name, auto& value) { a.plot = runner::not_empty(name, value); });
   line.option("--from", [&](auto& name, auto& value) { a.scoring.from = runner::whole_number(name, value, 0); });
   line.parse(count, values, [&](const std::string& argument) { a.sequences.emplace_back(argument); });
   if (!a.help) check(a);

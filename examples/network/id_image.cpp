@@ -23,7 +23,7 @@ runner::Segmentation decode_id_image(const std::vector<Tensor>& outputs, const P
     const float value =
         image.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
     if (!(value >= 0 && value <= 65535) || value != std::floor(value))
-      throw NetworkError("output '" + image.name + "' is " + std::to_string(value) + " at " + std::to_string(x) + ", " +
+      throw NetworkError("output '" + image.name + "' is " + to_text(value) + " at " + std::to_string(x) + ", " +
                          std::to_string(y) + ", expected whole numbers from 0 to 65535");
     return static_cast<std::uint16_t>(value);
   };

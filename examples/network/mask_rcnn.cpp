@@ -25,7 +25,7 @@ int class_of(const Tensor& labels, std::size_t i, int first, int classes) {
   const float value = labels.values[i];
   const float last = static_cast<float>(classes - 1 + first);
   if (value != std::floor(value) || value < static_cast<float>(first) || value > last)
-    throw NetworkError("output '" + labels.name + "' has the class " + std::to_string(value) +
+    throw NetworkError("output '" + labels.name + "' has the class " + to_text(value) +
                        ", expected whole numbers from " + std::to_string(first) + " to " +
                        std::to_string(classes - 1 + first));
   return static_cast<int>(value) - first;

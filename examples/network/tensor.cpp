@@ -2,12 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "tensor.hpp"
 
+#include <sstream>
+
 namespace network {
 
 std::string to_text(const std::vector<int>& shape) {
   std::string text;
   for (const int length : shape) text += (text.empty() ? "" : "x") + (length < 0 ? "?" : std::to_string(length));
   return text.empty() ? "scalar" : text;
+}
+
+std::string to_text(float value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
 }
 
 void bad_shape(const Tensor& tensor, const std::string& expected) {

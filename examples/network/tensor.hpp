@@ -24,6 +24,9 @@ struct NetworkError : std::runtime_error {
 /// "1x3x640x640"; a negative length is one that is not fixed and reads "?".
 std::string to_text(const std::vector<int>& shape);
 
+/// A number for a message, "0.5".
+std::string to_text(float value);
+
 /// @throws NetworkError "output 'x' has shape 1x2, expected ...".
 [[noreturn]] void bad_shape(const Tensor& tensor, const std::string& expected);
 

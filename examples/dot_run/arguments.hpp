@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
+#include "network/network.hpp"
 #include "run/run_options.hpp"
 #include "run/writer.hpp"
 
@@ -10,7 +13,11 @@ namespace runner {
 struct Arguments {
   RunOptions run;
   OutputOptions output;
-  int mask_delay = 0;  ///< frames
+  int mask_delay = 0;                     ///< frames
+  network::NetworkOptions network;        ///< without a model: the masks of the sequence
+  std::optional<double> network_seconds;  ///< that a network takes at least
+  bool real_time = false;
+  std::optional<double> fps;  ///< of the frames in real time; absent: by their timestamps
   bool help = false;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <vector>
 
 #include "dot/pipeline/result.hpp"
@@ -36,7 +37,8 @@ class Summary {
 
   /// Prints frames, how many of them had masks, objects by state, what was wrong with the depth, times and where the
   /// outputs lie.
-  void print(const OutputOptions& output) const;
+  /// @param remarks further lines, after those of the masks.
+  void print(const OutputOptions& output, const std::string& remarks) const;
 
  private:
   void print_masks() const;

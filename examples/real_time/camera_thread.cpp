@@ -15,7 +15,7 @@ CameraThread::CameraThread(Reader read, std::vector<double> times, Clock& clock,
       }) {}
 
 CameraThread::~CameraThread() {
-  stop_ = true;
+  if (!done_) stop_ = true;
   thread_.join();
 }
 
@@ -31,6 +31,7 @@ void CameraThread::work() {
       if (!clock_.sleep_until(due, stop_)) break;
       inbox_.put(Arrival{frame, clock_.now()});
     }
+    done_ = true;
     inbox_.close();
   } catch (...) {
     inbox_.fail(std::current_exception());

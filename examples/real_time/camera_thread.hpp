@@ -22,7 +22,7 @@ class CameraThread {
   /// @param stop set by anyone, a signal's handler for instance: no further frames, and the inbox is closed.
   /// Clock, stop and inbox must live longer.
   CameraThread(Reader read, std::vector<double> times, Clock& clock, std::atomic<bool>& stop, Inbox& inbox);
-  /// Stops.
+  /// Sets `stop` if frames are left.
   ~CameraThread();
   CameraThread(const CameraThread&) = delete;
   CameraThread& operator=(const CameraThread&) = delete;
@@ -38,6 +38,7 @@ class CameraThread {
   Clock& clock_;
   std::atomic<bool>& stop_;
   Inbox& inbox_;
+  std::atomic<bool> done_{false};
   std::atomic<int> late_{0};
   std::thread thread_;  // the last: it uses all others
 };

@@ -10,7 +10,7 @@ on the same 24 frames, with their true instances. Needs numpy, onnx and OpenCV (
 takes some minutes. The result depends on the last digits of the machine's arithmetic.
 
     image 1x3x188x620 -> means of 4x4 pixels -> 12 features of 3x3 -> their means over 3, 7, 15 and 25
-                      -> 32 features -> 6 classes (background, five cars) -> the largest: 1x1x47x155
+                      -> 32 features -> 6 classes (background, five cars) -> their means over 3 -> the largest: 1x1x47x155
 """
 import sys
 
@@ -114,7 +114,9 @@ def save(path, weights, height, width):
                                       pads=[k // 2] * 4, count_include_pad=1))
     nodes += [helper.make_node("Concat", ["features"] + [f"mean{k}" for k in WINDOWS], ["wide"], axis=1),
               conv("second", "wide", 1), helper.make_node("Relu", ["second"], ["hidden"]), conv("third", "hidden", 1),
-              helper.make_node("ArgMax", ["third"], ["ids"], axis=1, keepdims=1)]
+              helper.make_node("AveragePool", ["third"], ["smooth"], kernel_shape=[3, 3], strides=[1, 1], pads=[1] * 4,
+                               count_include_pad=1),
+              helper.make_node("ArgMax", ["smooth"], ["ids"], axis=1, keepdims=1)]
     graph = helper.make_graph(
         nodes, "cars", [helper.make_tensor_value_info("images", TensorProto.FLOAT, (1, 3, height, width))],
         [helper.make_tensor_value_info("ids", TensorProto.INT64, (1, 1, height // CELL, width // CELL))],

@@ -32,6 +32,8 @@ class OpenCvBackend : public Backend {
       names_.push_back(output.name);
     }
     net_.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
+    // OpenCV 4.6 fuses the product of two activations with a scale after it, and gets it wrong: attention, in YOLO11.
+    net_.enableFusion(false);
   }
 
   std::vector<Tensor> run(const Tensor& input) override {

@@ -33,8 +33,9 @@ Report DelayedMasks::report() const {
 }
 
 LateNetwork recorded_masks(double seconds) {
+  // A copy: threads share no cv::Mat, whose count of owners the thread sanitizer does not see.
   const auto segment = [](const runner::SequenceFrame& frame) {
-    return runner::Segmentation{frame.ids, frame.instances};
+    return runner::Segmentation{frame.ids.clone(), frame.instances};
   };
   return {segment, [](const runner::SequenceFrame& frame) { return !frame.ids.empty(); }, seconds};
 }

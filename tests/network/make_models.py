@@ -58,6 +58,14 @@ def single(folder, name, operator, input_shape, output_shape):
          [floats("out", output_shape)], [])
 
 
+def attention(folder):
+    """Half the product of two activations, as in the attention of YOLO11."""
+    half = numpy_helper.from_array(np.array(0.5, np.float32), "half")
+    save(folder, "attention", [floats("images", (1, 3, 4, 4))],
+         [helper.make_node("MatMul", ["images", "images"], ["product"]), helper.make_node("Mul", ["product", "half"], ["out"])],
+         [floats("out", (1, 3, 4, 4))], [half])
+
+
 def main(folder):
     # x, y, width, height | car, person, tree | two coefficients
     boxes = [[6, 8, 8, 8], [7, 8, 8, 8], [11, 8, 10, 4], [6, 8, 8, 8], [8, 8, 4, 4], [3, 6, 4, 4]]
@@ -88,6 +96,7 @@ def main(folder):
     known(folder, "ids", (1, 3, 4, 8), {"ids": [[[[0, 1, 300, 0], [2, 1, 0, 0]]]]})
     known(folder, "no_ids", (1, 3, 4, 8), {"ids": [[[[0, 1, .5, 0], [2, 1, 0, 0]]]]})
 
+    attention(folder)
     single(folder, "unsupported", "Det", (1, 3, 4, 4), (1, 3))
     single(folder, "grey_input", "Relu", (1, 1, 4, 8), (1, 1, 4, 8))
 

@@ -95,6 +95,20 @@ TEST(OpenCvBackend, GivesTheOutputsInTheOrderOfTheFile) {
   expect_outputs("ids", {1, 3, 4, 8}, ids());
 }
 
+TEST(OpenCvBackend, ScalesTheProductOfTwoActivations) {
+  Tensor input{"images", {1, 3, 4, 4}, std::vector<float>(48)};
+  for (std::size_t i = 0; i < 48; ++i) input.values[i] = static_cast<float>(i % 7) - 3;
+  const Tensor output = open_opencv(model("attention"), read_onnx(model("attention")))->run(input)[0];
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t row = 0; row < 4; ++row)
+      for (std::size_t column = 0; column < 4; ++column) {
+        float product = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+          product += input.values[16 * c + 4 * row + k] * input.values[16 * c + 4 * k + column];
+        EXPECT_EQ(output.values[16 * c + 4 * row + column], product / 2) << c << ' ' << row << ' ' << column;
+      }
+}
+
 TEST(Network, Yolo) {
   const TextFile classes("car\nperson, dynamic\ntree, ignored\n");
   for (const char* const name : {"yolo_v8", "yolo_v5"}) {

@@ -62,7 +62,8 @@ TEST(DelayedMasks, KeepAccount) {
   dot::Tracker tracker(camera());
   DelayedMasks delayed(recorded_masks(0.25), tracker);
   for (int i = 0; i < 9; ++i) {
-    const dot::Frame frame = delayed.next(wall_ptr(i));
+    const FramePtr kept = wall_ptr(i);
+    const dot::Frame frame = delayed.next(kept);
     EXPECT_FALSE(frame.masks);
     const dot::Result& result = tracker.track(frame);
     EXPECT_EQ(result.objects.end() - result.objects.begin(), i < 3 ? 0 : 1)
@@ -101,9 +102,8 @@ TEST(DelayedMasks, FramesWithoutMasksAreNotSegmented) {
 
 TEST(LateMasksFeed, MasksThatAreWrongAreAnError) {
   dot::Tracker tracker(camera());
-  dot::Frame frame = wall(0).frame();
   const runner::SequenceFrame kept = wall(0);
-  frame = kept.frame();
+  dot::Frame frame = kept.frame();
   frame.masks.reset();
   tracker.track(frame);
   LateMasksFeed feed(tracker);

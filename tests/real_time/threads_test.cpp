@@ -23,7 +23,7 @@
 namespace real_time::test {
 namespace {
 
-runner::Segmentation own_masks(const runner::SequenceFrame& frame) { return {frame.ids, frame.instances}; }
+runner::Segmentation own_masks(const runner::SequenceFrame& frame) { return {frame.ids.clone(), frame.instances}; }
 
 LateSegmentation late(int frame) { return {frame, 0, 0, {}}; }
 

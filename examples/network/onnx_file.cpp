@@ -42,7 +42,8 @@ class Message {
     return true;
   }
 
- private:
+  bool at_end() const { return rest_.empty(); }
+
   std::uint64_t varint() {
     std::uint64_t value = 0;
     for (unsigned shift = 0; shift < 64; shift += 7) {
@@ -53,6 +54,7 @@ class Message {
     throw Malformed{};
   }
 
+ private:
   std::string_view take(std::uint64_t count) {
     if (count > rest_.size()) throw Malformed{};
     const std::string_view taken = rest_.substr(0, count);
@@ -90,12 +92,41 @@ Port read_port(std::string_view value_info) {
   return port;
 }
 
+/// TensorProto: dims = 1, one by one or packed.
+bool is_row(std::string_view tensor) {
+  std::vector<std::uint64_t> lengths;
+  Message fields(tensor);
+  for (Field field; fields.next(field);) {
+    if (field.number != 1) continue;
+    if (field.bytes.empty()) lengths.push_back(field.value);
+    for (Message packed(field.bytes); !packed.at_end();) lengths.push_back(packed.varint());
+  }
+  return lengths.size() == 2 && lengths[0] == 1 && lengths[1] > 1;
+}
+
+/// NodeProto: input = 1, output = 2, op_type = 4, attribute = 5; AttributeProto: t = 5.
+/// @param rows names of the constants so far; those that a node of the type Constant makes are added.
+/// @param used those that an elementwise operator takes are added.
+void read_node(std::string_view node, std::vector<std::string_view>& rows, std::vector<std::string>& used) {
+  constexpr std::string_view elementwise[] = {"Add", "Sub", "Mul", "Div"};
+  const std::string_view type = find(node, 4);
+  if (type == "Constant" && is_row(find(find(node, 5), 5))) rows.push_back(find(node, 2));
+  if (std::find(std::begin(elementwise), std::end(elementwise), type) == std::end(elementwise)) return;
+  Message fields(node);
+  for (Field field; fields.next(field);)
+    if (field.number == 1 && std::find(rows.begin(), rows.end(), field.bytes) != rows.end())
+      used.emplace_back(field.bytes);
+}
+
 OnnxFile read_graph(std::string_view graph) {
   OnnxFile file;
   std::vector<std::string_view> weights;  // old files list them among the inputs
+  std::vector<std::string_view> nodes, rows;
   Message fields(graph);
   for (Field field; fields.next(field);) {
+    if (field.number == 1) nodes.push_back(field.bytes);
     if (field.number == 5) weights.push_back(find(field.bytes, 8));
+    if (field.number == 5 && is_row(field.bytes)) rows.push_back(weights.back());
     if (field.number == 11) file.inputs.push_back(read_port(field.bytes));
     if (field.number == 12) file.outputs.push_back(read_port(field.bytes));
   }
@@ -103,6 +134,7 @@ OnnxFile read_graph(std::string_view graph) {
     return std::find(weights.begin(), weights.end(), p.name) != weights.end();
   };
   file.inputs.erase(std::remove_if(file.inputs.begin(), file.inputs.end(), is_weight), file.inputs.end());
+  for (const std::string_view node : nodes) read_node(node, rows, file.rows);
   return file;
 }
 

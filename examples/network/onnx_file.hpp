@@ -19,11 +19,12 @@ struct Port {
 struct OnnxFile {
   std::vector<Port> inputs;  ///< without the weights
   std::vector<Port> outputs;
+  std::vector<std::string> rows;  ///< constants of shape 1xN, N > 1, that are added, subtracted, multiplied or divided
 };
 
-/// Reads the ports alone.
-/// Source: onnx.proto3 (ModelProto.graph = 7; GraphProto.initializer = 5, input = 11, output = 12) and the encoding of
-/// Protocol Buffers.
+/// Reads these alone.
+/// Source: onnx.proto3 (ModelProto.graph = 7; GraphProto.node = 1, initializer = 5, input = 11, output = 12) and the
+/// encoding of Protocol Buffers.
 /// @throws runner::FileError when the file cannot be read or is no ONNX model.
 OnnxFile read_onnx(const std::filesystem::path& path);
 

@@ -21,6 +21,9 @@ std::string reason(const cv::Exception& error) {
 class OpenCvBackend : public Backend {
  public:
   OpenCvBackend(const std::filesystem::path& path, const OnnxFile& file) {
+    if (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR < 7 && !file.rows.empty())
+      throw NetworkError("OpenCV " CV_VERSION " computes wrongly with the constant '" + file.rows[0] +
+                         "' of one row; examples/network/expand_constants.py mends the file, see docs/network.md");
     try {
       net_ = cv::dnn::readNetFromONNX(path.string());
     } catch (const cv::Exception& error) {

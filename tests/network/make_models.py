@@ -11,17 +11,22 @@ are those of known_tensors.hpp.
 import os
 import sys
 
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples/network"))
+
 import numpy as np
 import onnx
+from expand_constants import expand
 from onnx import TensorProto, helper, numpy_helper
 
 OPSET, IR = 12, 7
 
 
-def save(folder, name, inputs, nodes, outputs, weights):
+def save(folder, name, inputs, nodes, outputs, weights, change=None):
     graph = helper.make_graph(nodes, name, inputs, outputs, weights)
     model = helper.make_model(graph, opset_imports=[helper.make_opsetid("", OPSET)], producer_name="dot")
     model.ir_version = IR
+    if change:
+        change(model)
     onnx.checker.check_model(model)
     onnx.save(model, os.path.join(folder, name + ".onnx"))
 
@@ -66,6 +71,29 @@ def attention(folder):
          [floats("out", (1, 3, 4, 4))], [half])
 
 
+def boxes_head(folder):
+    """The end of the head of YOLOv8 and YOLO11 over four places: the distribution of each of the four distances becomes
+    its mean; distances from the anchors become boxes, times the strides. As exported, and for OpenCV 4.6."""
+    n = 4
+    anchors = np.array([[[0.5, 1.5, 0.5, 1.5], [0.5, 0.5, 1.5, 1.5]]], np.float32)
+    constants = {
+        "split": np.array([1, 4, 3, n]), "joined": np.array([1, 4, n]), "bins": np.arange(3, dtype=np.float32).reshape(1, 3, 1, 1),
+        "zero": np.array([0]), "two": np.array([2]), "four": np.array([4]), "axis": np.array([1]), "anchors": anchors,
+        "half": np.array(2, np.float32), "strides": np.array([[8, 8, 16, 16]], np.float32)}
+    node = helper.make_node
+    nodes = [
+        node("Reshape", ["images", "split"], ["r"]), node("Transpose", ["r"], ["t"], perm=[0, 3, 1, 2]),
+        node("Softmax", ["t"], ["s"], axis=3), node("Transpose", ["s"], ["p"], perm=[0, 3, 2, 1]),
+        node("Conv", ["p", "bins"], ["c"], kernel_shape=[1, 1]), node("Reshape", ["c", "joined"], ["distances"]),
+        node("Slice", ["distances", "zero", "two", "axis"], ["before"]), node("Slice", ["distances", "two", "four", "axis"], ["after"]),
+        node("Sub", ["anchors", "before"], ["first"]), node("Add", ["anchors", "after"], ["last"]),
+        node("Add", ["first", "last"], ["sum"]), node("Div", ["sum", "half"], ["centre"]), node("Sub", ["last", "first"], ["size"]),
+        node("Concat", ["centre", "size"], ["boxes"], axis=1), node("Mul", ["boxes", "strides"], ["out"])]
+    for name, change in (("boxes_head", None), ("boxes_head_expanded", expand)):
+        save(folder, name, [floats("images", (1, 12, 2, 2))], nodes, [floats("out", (1, 4, n))],
+             [numpy_helper.from_array(v, k) for k, v in constants.items()], change)
+
+
 def main(folder):
     # x, y, width, height | car, person, tree | two coefficients
     boxes = [[6, 8, 8, 8], [7, 8, 8, 8], [11, 8, 10, 4], [6, 8, 8, 8], [8, 8, 4, 4], [3, 6, 4, 4]]
@@ -97,6 +125,7 @@ def main(folder):
     known(folder, "no_ids", (1, 3, 4, 8), {"ids": [[[[0, 1, .5, 0], [2, 1, 0, 0]]]]})
 
     attention(folder)
+    boxes_head(folder)
     single(folder, "unsupported", "Det", (1, 3, 4, 4), (1, 3))
     single(folder, "grey_input", "Relu", (1, 1, 4, 8), (1, 1, 4, 8))
 

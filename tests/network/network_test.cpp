@@ -109,6 +109,32 @@ TEST(OpenCvBackend, ScalesTheProductOfTwoActivations) {
       }
 }
 
+/// With equal probabilities each distance is 1, the mean of 0, 1 and 2: boxes of 2x2 about the anchors, times the
+/// strides.
+TEST(OpenCvBackend, RunsTheHeadOfYolo8WithItsConstantsExpanded) {
+  const Tensor input{"images", {1, 12, 2, 2}, std::vector<float>(48, .25F)};
+  const Tensor output =
+      open_opencv(model("boxes_head_expanded"), read_onnx(model("boxes_head_expanded")))->run(input)[0];
+  const float expected[] = {4, 12, 8, 24, 4, 4, 24, 24, 16, 16, 32, 32, 16, 16, 32, 32};
+  ASSERT_EQ(output.values.size(), 16U);
+  for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(output.values[i], expected[i], 1e-5) << i;
+}
+
+/// As exported OpenCV 4.6 gets it wrong, without a word: 12 instead of 24 for the second box's y.
+TEST(OpenCvBackend, RefusesTheHeadOfYolo8AsExportedWhereItWouldBeWrong) {
+  const OnnxFile file = read_onnx(model("boxes_head"));
+  EXPECT_EQ(file.rows, std::vector<std::string>{"strides"});
+  EXPECT_TRUE(read_onnx(model("boxes_head_expanded")).rows.empty());
+  const Tensor input{"images", {1, 12, 2, 2}, std::vector<float>(48, .25F)};
+  try {
+    EXPECT_NEAR(open_opencv(model("boxes_head"), file)->run(input)[0].values.at(3), 24, 1e-5);
+  } catch (const NetworkError& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("OpenCV " CV_VERSION " computes wrongly with the constant 'strides'", 0),
+              0U)
+        << error.what();
+  }
+}
+
 TEST(Network, Yolo) {
   const TextFile classes("car\nperson, dynamic\ntree, ignored\n");
   for (const char* const name : {"yolo_v8", "yolo_v5"}) {

@@ -94,6 +94,25 @@ def boxes_head(folder):
              [numpy_helper.from_array(v, k) for k, v in constants.items()], change)
 
 
+def yolo_v5_head(folder):
+    """The end of YOLOv5 for two anchors on 2x2 places, with one class and one coefficient: 1x14x2x2 to 1x8x7."""
+    grid = np.zeros((1, 2, 2, 2, 2), np.float32)
+    grid[..., 0], grid[..., 1] = [0, 1], [[0], [1]]
+    constants = {
+        "apart": np.array([1, 2, 7, 2, 2]), "rows": np.array([1, 8, 7]), "two": np.array(2, np.float32), "grid": grid,
+        "stride": np.array(8, np.float32), "anchors": np.array([4, 6, 10, 12], np.float32).reshape(1, 2, 1, 1, 2) * np.ones((1, 1, 2, 2, 1), np.float32)}
+    node = helper.make_node
+    nodes = [
+        node("Reshape", ["images", "apart"], ["r"]), node("Transpose", ["r"], ["t"], perm=[0, 1, 3, 4, 2]),
+        node("Split", ["t"], ["a", "b", "c", "coefficients"], axis=4, split=[2, 2, 2, 1]),
+        node("Sigmoid", ["a"], ["a1"]), node("Mul", ["a1", "two"], ["a2"]), node("Add", ["a2", "grid"], ["a3"]),
+        node("Mul", ["a3", "stride"], ["places"]), node("Sigmoid", ["b"], ["b1"]), node("Mul", ["b1", "two"], ["b2"]),
+        node("Pow", ["b2", "two"], ["b3"]), node("Mul", ["b3", "anchors"], ["sizes"]), node("Sigmoid", ["c"], ["scores"]),
+        node("Concat", ["places", "sizes", "scores", "coefficients"], ["all"], axis=4), node("Reshape", ["all", "rows"], ["out"])]
+    save(folder, "yolo_v5_head", [floats("images", (1, 14, 2, 2))], nodes, [floats("out", (1, 8, 7))],
+         [numpy_helper.from_array(v, k) for k, v in constants.items()])
+
+
 def main(folder):
     # x, y, width, height | car, person, tree | two coefficients
     boxes = [[6, 8, 8, 8], [7, 8, 8, 8], [11, 8, 10, 4], [6, 8, 8, 8], [8, 8, 4, 4], [3, 6, 4, 4]]
@@ -126,6 +145,7 @@ def main(folder):
 
     attention(folder)
     boxes_head(folder)
+    yolo_v5_head(folder)
     single(folder, "unsupported", "Det", (1, 3, 4, 4), (1, 3))
     single(folder, "grey_input", "Relu", (1, 1, 4, 8), (1, 1, 4, 8))
 

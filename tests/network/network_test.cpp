@@ -120,6 +120,21 @@ TEST(OpenCvBackend, RunsTheHeadOfYolo8WithItsConstantsExpanded) {
   for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(output.values[i], expected[i], 1e-5) << i;
 }
 
+TEST(OpenCvBackend, RunsTheHeadOfYolo5) {
+  // Where the sigmoid's argument is 0, a box is at (1 + place) * 8 and has its anchor's size. The last channel of each
+  // anchor, the coefficient, is passed on.
+  Tensor input{"images", {1, 14, 2, 2}, std::vector<float>(56, 0)};
+  for (std::size_t i = 0; i < 4; ++i)
+    input.values[24 + i] = 1 + static_cast<float>(i), input.values[52 + i] = 5 + static_cast<float>(i);
+  const Tensor output = open_opencv(model("yolo_v5_head"), read_onnx(model("yolo_v5_head")))->run(input)[0];
+  const std::vector<float> expected{8, 8,  4,  6,  .5F, .5F, 1, 16, 8,  4,  6,  .5F, .5F, 2,  //
+                                    8, 16, 4,  6,  .5F, .5F, 3, 16, 16, 4,  6,  .5F, .5F, 4,  //
+                                    8, 8,  10, 12, .5F, .5F, 5, 16, 8,  10, 12, .5F, .5F, 6,  //
+                                    8, 16, 10, 12, .5F, .5F, 7, 16, 16, 10, 12, .5F, .5F, 8};
+  ASSERT_EQ(output.values.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(output.values[i], expected[i], 1e-5) << i;
+}
+
 /// As exported OpenCV 4.6 gets it wrong, without a word: 12 instead of 24 for the second box's y.
 TEST(OpenCvBackend, RefusesTheHeadOfYolo8AsExportedWhereItWouldBeWrong) {
   const OnnxFile file = read_onnx(model("boxes_head"));

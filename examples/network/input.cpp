@@ -42,8 +42,9 @@ Placement place(cv::Size image, cv::Size input, bool letterbox) {
   Placement placement{image, input};
   placement.scale_x = 1.0 * size.width / image.width;
   placement.scale_y = 1.0 * size.height / image.height;
-  placement.offset_x = (input.width - size.width) / 2;
-  placement.offset_y = (input.height - size.height) / 2;
+  const cv::Point corner((input.width - size.width) / 2, (input.height - size.height) / 2);
+  placement.offset_x = corner.x;
+  placement.offset_y = corner.y;
   return placement;
 }
 

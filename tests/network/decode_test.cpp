@@ -94,6 +94,30 @@ TEST(YoloSeg, WrongShapesAreNamed) {
             "has no output of shape 1xMxN (boxes, scores and coefficients), only 'output1' 1x2x4x4");
 }
 
+TEST(YoloSeg, AMaskIsThatOfThePrototypesAroundItsBoxAlone) {
+  const Placement placement = place({32, 32}, {32, 32}, true);
+  Tensor prototypes{"output1", {1, 1, 8, 8}, {}};
+  cv::Mat values(8, 8, CV_32F);
+  cv::RNG random(3);
+  random.fill(values, cv::RNG::UNIFORM, -1, 1);
+  prototypes.values.assign(values.ptr<float>(), values.ptr<float>() + 64);
+  // One candidate: x, y, width, height, the score of the only class, a coefficient of 1.
+  const Tensor candidate{"output0", {1, 6, 1}, {18, 21, 9.5F, 13.5F, 1, 1}};
+  const std::vector<Detection> detections = decode_yolo_seg({candidate, prototypes}, 1, placement, {});
+  ASSERT_EQ(detections.size(), 1U);
+  EXPECT_EQ(detections[0].region, cv::Rect(13, 14, 10, 14));
+  const cv::Mat expected = sample({values, 0, .25, 0, .25}, detections[0].region, 0);
+  EXPECT_EQ(cv::countNonZero(detections[0].mask != expected), 0);
+  EXPECT_GT(cv::countNonZero(expected), 0);
+}
+
+TEST(Detections, ABoxHasThePixelsWhoseCentreIsInIt) {
+  EXPECT_EQ(pixels_in({0, 0, 4, 2}), cv::Rect(0, 0, 4, 2));
+  EXPECT_EQ(pixels_in({.4, .6, 3, 2}), cv::Rect(0, 1, 3, 2));
+  EXPECT_EQ(pixels_in({.5, .5, 1, 1}), cv::Rect(0, 0, 1, 1));
+  EXPECT_TRUE(pixels_in({.6, .6, .3, .3}).empty());
+}
+
 TEST(MaskRcnn, Torchvision) {
   // The car's mask without the pixel that is 0.5; the person's inside its box, columns 3 to 7. Below 0.5 and ignored
   // classes do not show. COCO's category 3 is the car, the third of the list.

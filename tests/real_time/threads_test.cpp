@@ -153,6 +153,15 @@ TEST(RealTime, KeepsAccountOfFramesAndMasks) {
   EXPECT_FALSE(play.stop);
 }
 
+TEST(RealTime, AFrameIsTrackedWithoutItsMasks) {
+  Play one(1);
+  play(one.source, one.clock, one.stop, one.tracker,
+       [](const runner::SequenceFrame& frame, const dot::Result& result, double) {
+         EXPECT_FALSE(frame.ids.empty());
+         EXPECT_TRUE(result.objects.empty());
+       });
+}
+
 TEST(RealTime, WithoutNetwork) {
   Play play(5);
   play.source.network = {};
@@ -206,7 +215,10 @@ TEST(RealTime, FailuresOfAnyThreadEndTheRun) {
 TEST(WriterThread, ConsumesAllInOrderWithTheirOwnPixels) {
   dot::Tracker tracker(camera());
   std::vector<int> areas;
+  std::promise<void> all_put;  // the tracker has overwritten its buffers by then
+  const std::shared_future<void> are_put = all_put.get_future();
   WriterThread writer([&](const runner::SequenceFrame& frame, const dot::Result& result, double ms) {
+    are_put.wait();
     EXPECT_EQ(ms, frame.number);
     int area = 0;
     for (int y = 0; y < height; ++y)
@@ -220,6 +232,7 @@ TEST(WriterThread, ConsumesAllInOrderWithTheirOwnPixels) {
     const FramePtr kept = std::make_shared<const runner::SequenceFrame>(frame);
     writer.put(kept, tracker.track(kept->frame()), i);
   }
+  all_put.set_value();
   writer.finish();
   ASSERT_EQ(areas.size(), 5U);
   EXPECT_EQ(areas[0], 0);

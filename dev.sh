@@ -14,7 +14,8 @@ usage() {
   cat <<'TXT'
 usage: ./dev.sh VERB
 
-  demo       build the runner, run it on the sample sequence, show where the pictures are
+  demo       build the runner, run it on the sample sequence, show where the pictures are; "demo network" makes the
+             masks by a small network beside the tracker, in real time
   test       build everything and run all tests
   player     test the page of dot_run --player in Chromium, which is installed; leave pictures of it in out/player
   bench      build and run the benchmarks, those beside OpenCV's odometry too; with arguments Google Benchmark's
@@ -94,6 +95,19 @@ demo() {
   "$build/examples/dot_run" "$sample" --out "$out" --overlay --mask-every 1 || fail "dot_run failed on the sample"
   say "results"
   printf 'labels    %s (0 background, 1 static, 2 moving, 3 not observable)\n' "$out/labels"
+  printf 'pictures  %s\n' "$out/overlay"
+  printf 'summary   %s\n' "$out/objects.csv" "$out/camera.txt" "$out/timing.csv"
+}
+
+# demo network: in real time, with the masks of a network that knows the sample's cars alone.
+demo_network() {
+  compile dot_run
+  say "running dot_run on $sample in real time, with a network beside it"
+  local out=$root/out/demo-network
+  rm -rf "$out"
+  "$build/examples/dot_run" "$sample" --out "$out" --overlay --network examples/data/network/cars.onnx --real-time \
+    || fail "dot_run failed on the sample"
+  say "results"
   printf 'pictures  %s\n' "$out/overlay"
   printf 'summary   %s\n' "$out/objects.csv" "$out/camera.txt" "$out/timing.csv"
 }
@@ -199,7 +213,7 @@ sanitize() {
   sanitize_with asan-ubsan all
   say "testing with the address and undefined-behaviour sanitizers"
   ctest --preset asan-ubsan -j2
-  sanitize_with tsan test_trackers_at_once test_threads_test
+  sanitize_with tsan test_trackers_at_once test_threads_test test_real_time
   say "testing with the thread sanitizer"
   # Without OpenCV's threads, says the preset: its pool is not built for this sanitizer, which cannot see how it
   # synchronises.
@@ -289,7 +303,7 @@ soak() {
 verb=${1:-help}
 [ $# -eq 0 ] || shift
 case $verb in
-  demo) demo ;;
+  demo) case ${1:-} in '') demo ;; network) demo_network ;; *) fail "demo $1: only demo, and demo network" ;; esac ;;
   test) run_tests ;;
   player) player ;;
   bench) bench "$@" ;;

@@ -35,6 +35,9 @@ docs/evaluation.md defines the figures. The exit status is 1 when a sequence fai
   --starts STEP             start a tracker at every STEP-th frame and measure its first frames, instead of the above
   --start-frames N          frames after each start (default 8)
   --drop-largest K          with --starts: leave the largest mover out of the masks of the first K frames
+  --network-delay MS,...    hand the masks over as late as a network that takes so many ms for a frame, and compare
+                            with masks that come with their frame, instead of the above
+  --plot FILE               with --network-delay: F1, mask IoU and decided share against the delay, as SVG
 )";
 
 std::vector<int> parse_rates(const std::string& option, const std::string& value) {
@@ -44,6 +47,15 @@ std::vector<int> parse_rates(const std::string& option, const std::string& value
   if (std::set<int>(rates.begin(), rates.end()).size() != rates.size())
     throw UsageError(option + " names a rate twice: " + value);
   return rates;
+}
+
+std::vector<int> parse_delays(const std::string& option, const std::string& value) {
+  constexpr int most = 10000;  // ms
+  std::vector<int> delays;
+  for (const std::string& piece : runner::split(value, ','))
+    delays.push_back(runner::whole_number(option, piece, 0, most));
+  if (delays.empty()) throw UsageError(option + " needs whole numbers of milliseconds");
+  return delays;
 }
 
 double parse_speed(const std::string& option, const std::string& value) {
@@ -56,16 +68,21 @@ void check(const Arguments& a) {
   if (a.sequences.empty()) throw UsageError("no sequence folder given");
   if (!a.run.sequence.camera.empty() && a.sequences.size() > 1)
     throw UsageError("--camera belongs to one sequence, and " + std::to_string(a.sequences.size()) + " are given");
-  if (a.starts == 0) {
-    if (a.drop_largest > 0) throw UsageError("--drop-largest needs --starts");
-    return;
-  }
-  if (a.rates.size() > 1) throw UsageError("--starts takes one rate");
-  const std::pair<bool, const char*> others[] = {{!a.html.empty(), "--html"},    {!a.json.empty(), "--json"},
-                                                 {!a.out.empty(), "--out"},      {a.hide_movers, "--hide-movers"},
-                                                 {a.scoring.from > 0, "--from"}, {a.jobs > 1, "--jobs"}};
+  const bool starts = a.starts > 0, delays = !a.network_delays.empty();
+  if (a.drop_largest > 0 && !starts) throw UsageError("--drop-largest needs --starts");
+  if (!a.plot.empty() && !delays) throw UsageError("--plot needs --network-delay");
+  if (!starts && !delays) return;
+  const std::string instead = starts ? "--starts" : "--network-delay";
+  if (a.rates.size() > 1) throw UsageError(instead + " takes one rate");
+  const std::pair<bool, const char*> others[] = {{!a.html.empty(), "--html"},
+                                                 {!a.json.empty(), "--json"},
+                                                 {!a.out.empty(), "--out"},
+                                                 {starts && delays, "--network-delay"},
+                                                 {starts && a.hide_movers, "--hide-movers"},
+                                                 {starts && a.scoring.from > 0, "--from"},
+                                                 {starts && a.jobs > 1, "--jobs"}};
   for (const auto& [given, name] : others)
-    if (given) throw UsageError(std::string(name) + " cannot be combined with --starts");
+    if (given) throw UsageError(std::string(name) + " cannot be combined with " + instead);
 }
 
 }  // namespace
@@ -92,6 +109,8 @@ Arguments parse_arguments(int count, const char* const* values) {
               [&](auto& name, auto& value) { a.start_frames = runner::whole_number(name, value, 2); });
   line.option("--drop-largest",
               [&](auto& name, auto& value) { a.drop_largest = runner::whole_number(name, value, 0); });
+  line.option("--network-delay", [&](auto& name, auto& value) { a.network_delays = parse_delays(name, value); });
+  line.option("--plot", [&](auto& name, auto& value) { a.plot = runner::not_empty(name, value); });
   line.option("--from", [&](auto& name, auto& value) { a.scoring.from = runner::whole_number(name, value, 0); });
   line.parse(count, values, [&](const std::string& argument) { a.sequences.emplace_back(argument); });
   if (!a.help) check(a);

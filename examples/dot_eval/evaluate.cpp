@@ -4,10 +4,12 @@
 
 #include <chrono>
 #include <exception>
+#include <memory>
 #include <utility>
 
 #include "dot/lie/se3.hpp"
 #include "dot/tracker.hpp"
+#include "real_time/delayed_masks.hpp"
 #include "run/writer.hpp"
 #include "sequence/errors.hpp"
 
@@ -87,18 +89,21 @@ void run(const Arguments& arguments, const std::filesystem::path& folder, const 
   ObjectScorer objects(arguments.scoring);
   std::optional<HiddenMovers> hidden;
   if (arguments.hide_movers) hidden.emplace(recording, arguments.scoring.min_speed);
+  std::optional<real_time::DelayedMasks> delayed;
+  if (score.network_seconds) delayed.emplace(real_time::recorded_masks(*score.network_seconds), tracker);
   CameraLog camera;
   TimeLog times;
   PictureBook pictures(sequence.size());
   for (int i = 0; i < sequence.size(); ++i) {
     const auto index = static_cast<std::size_t>(i);
     const runner::RecordingEntry& entry = recording.entries[index];
-    runner::SequenceFrame frame = sequence.read(i);
+    const auto read = std::make_shared<runner::SequenceFrame>(sequence.read(i));
+    runner::SequenceFrame& frame = *read;
     const runner::FrameTruth truth = sequence.truth(i);
     if (hidden) hidden->remove(frame, truth.instance);
 
     const auto start = std::chrono::steady_clock::now();
-    const dot::Result& result = tracker.track(frame.frame());
+    const dot::Result& result = tracker.track(delayed ? delayed->next(read) : frame.frame());
     const std::chrono::duration<double, std::milli> total = std::chrono::steady_clock::now() - start;
 
     if (writer) writer->write(frame, result, total.count());
@@ -119,6 +124,7 @@ void run(const Arguments& arguments, const std::filesystem::path& folder, const 
     score.latency = decision_latency(score.objects->sightings, options.velocity.v0);
   }
   if (hidden) score.hidden = hidden->score();
+  if (delayed) score.late = delayed->report();
   times.store(score);
   score.pictures = pictures.take();
 }
@@ -131,12 +137,13 @@ bool has_truth(const runner::Recording& recording) {
   return false;
 }
 
-RunScore evaluate(const Arguments& arguments, std::size_t sequence, int every, const FrameDone& frame_done) {
+RunScore evaluate(const Arguments& arguments, const Job& job, const FrameDone& frame_done) {
   RunScore score;
-  score.name = arguments.names[sequence];
-  score.every = every;
+  score.name = arguments.names[job.sequence];
+  score.every = job.every;
+  score.network_seconds = job.network_seconds;
   try {
-    run(arguments, arguments.sequences[sequence], frame_done, score);
+    run(arguments, arguments.sequences[job.sequence], frame_done, score);
   } catch (const std::exception& error) {
     score.error = error.what();
   }

@@ -17,22 +17,32 @@
 #include "latency.hpp"
 #include "object_score.hpp"
 #include "pictures.hpp"
+#include "real_time/report.hpp"
 
 namespace eval {
 
 constexpr std::size_t stage_count = static_cast<std::size_t>(dot::Stage::Count);
 using StageTimes = std::array<double, stage_count>;
 
+/// One sequence at one mask rate.
+struct Job {
+  std::size_t sequence = 0;  ///< index of Arguments::sequences
+  int every = 1;
+  std::optional<double> network_seconds;  ///< masks come as late as from a network that takes so long
+};
+
 /// What one sequence at one mask rate comes to.
 struct RunScore {
   std::string name;
   int every = 1;
+  std::optional<double> network_seconds;
   std::string error;  ///< why there is nothing else; empty when there is
   int frames = 0;
   std::optional<ObjectScore> objects;  ///< absent: no true instances
   std::optional<CameraScore> camera;   ///< absent: no true poses
   std::vector<LatencyEvent> latency;
   std::optional<HiddenScore> hidden;
+  real_time::Report late;              ///< where masks come late
   StageTimes stage_ms{};               ///< means, without the first frame
   double ms_per_frame = not_a_number;  ///< likewise, all of `track`
   std::vector<Picture> pictures;       ///< where Arguments::html asks for them
@@ -45,7 +55,6 @@ bool has_truth(const runner::Recording& recording);
 using FrameDone = std::function<void(int done, int total)>;
 
 /// Runs and measures. Whatever fails becomes RunScore::error.
-/// @param sequence index of Arguments::sequences.
-RunScore evaluate(const Arguments& arguments, std::size_t sequence, int every, const FrameDone& frame_done);
+RunScore evaluate(const Arguments& arguments, const Job& job, const FrameDone& frame_done);
 
 }  // namespace eval

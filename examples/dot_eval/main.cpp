@@ -17,6 +17,7 @@
 #include "arguments.hpp"
 #include "evaluate.hpp"
 #include "html.hpp"
+#include "network_delay.hpp"
 #include "pool.hpp"
 #include "progress.hpp"
 #include "report.hpp"
@@ -29,17 +30,8 @@ namespace {
 
 using namespace eval;
 
-struct Job {
-  std::size_t sequence;  ///< index of Arguments::sequences
-  int every;
-};
-
-/// All sequences at all rates, in the order of the arguments, rate by rate.
-std::vector<RunScore> evaluate_all(const Arguments& arguments) {
-  std::vector<Job> jobs;
-  for (const int every : arguments.rates)
-    for (std::size_t i = 0; i < arguments.sequences.size(); ++i) jobs.push_back({i, every});
-
+/// All jobs, Arguments::jobs of them side by side, in their order.
+std::vector<RunScore> evaluate_all(const Arguments& arguments, const std::vector<Job>& jobs) {
   std::vector<RunScore> runs(jobs.size());
   Progress progress(static_cast<int>(jobs.size()));
   std::atomic<std::size_t> next{0};
@@ -47,7 +39,7 @@ std::vector<RunScore> evaluate_all(const Arguments& arguments) {
     for (std::size_t i = next++; i < jobs.size(); i = next++) {
       const std::string name = arguments.names[jobs[i].sequence] + " 1/" + std::to_string(jobs[i].every);
       const auto frame_done = [&](int done, int total) { progress.frame(static_cast<int>(i), name, done, total); };
-      runs[i] = evaluate(arguments, jobs[i].sequence, jobs[i].every, frame_done);
+      runs[i] = evaluate(arguments, jobs[i], frame_done);
       progress.finished(static_cast<int>(i), name,
                         runs[i].error.empty() ? std::to_string(runs[i].frames) + " frames" : "FAILED");
     }
@@ -60,6 +52,32 @@ std::vector<RunScore> evaluate_all(const Arguments& arguments) {
   return runs;
 }
 
+/// All sequences at all rates, in the order of the arguments, rate by rate.
+std::vector<Job> rate_jobs(const Arguments& arguments) {
+  std::vector<Job> jobs;
+  for (const int every : arguments.rates)
+    for (std::size_t i = 0; i < arguments.sequences.size(); ++i) jobs.push_back({i, every, std::nullopt});
+  return jobs;
+}
+
+bool all_measured(const std::vector<RunScore>& runs) {
+  return std::all_of(runs.begin(), runs.end(), [](const RunScore& run) { return run.error.empty(); });
+}
+
+/// @return whether every sequence could be measured.
+bool run_delays(const Arguments& arguments) {
+  std::optional<runner::OutputFile> plot;
+  if (!arguments.plot.empty()) plot.emplace(arguments.plot);
+  const std::vector<RunScore> runs = evaluate_all(arguments, delay_jobs(arguments));
+  const std::vector<DelayScore> scores = pool_delays(arguments, runs);
+  std::printf("%s", delay_table(runs, scores).c_str());
+  if (plot) {
+    plot->stream() << delay_plot(scores);
+    plot->finish();
+  }
+  return all_measured(runs);
+}
+
 /// @return whether every sequence could be measured.
 bool run(const Arguments& arguments) {
   // What is wrong with the settings is wrong for every sequence, and is told at once.
@@ -69,11 +87,12 @@ bool run(const Arguments& arguments) {
     std::printf("%s", start_table(starts).c_str());
     return std::all_of(starts.begin(), starts.end(), [](const StartRun& s) { return s.error.empty(); });
   }
+  if (!arguments.network_delays.empty()) return run_delays(arguments);
   std::optional<runner::OutputFile> json, html;
   if (!arguments.json.empty()) json.emplace(arguments.json);
   if (!arguments.html.empty()) html.emplace(arguments.html);
 
-  const std::vector<RunScore> runs = evaluate_all(arguments);
+  const std::vector<RunScore> runs = evaluate_all(arguments, rate_jobs(arguments));
   std::vector<Pooled> pooled;
   for (const int every : arguments.rates) pooled.push_back(pool(runs, every, arguments.rates[0]));
   std::printf("%s", text_table(runs, pooled).c_str());
@@ -86,7 +105,7 @@ bool run(const Arguments& arguments) {
     html->stream() << html_page(runs, pooled);
     html->finish();
   }
-  return std::all_of(runs.begin(), runs.end(), [](const RunScore& run) { return run.error.empty(); });
+  return all_measured(runs);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "run/percentile.hpp"
+
 namespace eval {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -18,8 +20,7 @@ double mean(const std::vector<double>& values);
 /// Root of the mean square.
 double root_mean_square(const std::vector<double>& values);
 
-/// The q-th percentile, 0 <= q <= 100, linear between the two values next to it.
-double percentile(std::vector<double> values, double q);
+using runner::percentile;
 
 /// The mean of the two in the middle where their number is even.
 double median(std::vector<double> values);

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "arguments.hpp"
 
+#include <cstddef>
 #include <initializer_list>
+#include <map>
+#include <utility>
 
 #include "sequence/errors.hpp"
+#include "sequence/fields.hpp"
 
 namespace runner {
 namespace {
@@ -30,6 +34,16 @@ player must be named.
                             state
   --masks-out DIR           write exclusion masks, 255 = do not use: DIR/mask_dot/ (moving or undecided objects)
                             and DIR/mask_all/ (every object)
+  --network FILE            segment the images with this ONNX network instead of reading masks, see docs/network.md
+  --network-format NAME     what it gives: yolo-seg, mask-rcnn or ids (default: by its outputs)
+  --network-classes FILE    its classes, `name` or `name, moves|dynamic|ignored` a line (default: COCO's)
+  --network-size WxH        size of its input, where the file leaves it open
+  --network-score S         least score of an instance, 0 to 1 (default 0.25 for yolo-seg, 0.5 for mask-rcnn)
+  --network-backend NAME    opencv or onnxruntime (default: ONNX Runtime if the program was built with it)
+  --network-delay MS        masks come as late as from a network that takes so long for a frame; with --real-time the
+                            network's own time counts, too. Without --network: the masks of the sequence
+  --real-time [FPS]         frames come by their timestamps, or FPS of them a second, and those that come too fast are
+                            dropped; the network runs beside the tracker, and its masks come late
 )";
 
 /// An ending that none of the recording's files has: these cannot be overwritten by mistake.
@@ -44,12 +58,83 @@ std::filesystem::path with_ending(const std::string& option, const std::string& 
   throw UsageError(option + " needs a name that ends in " + known + ", not '" + value + "'");
 }
 
-void check_outputs(const Outputs& output) {
+void check_outputs(const OutputPaths& output) {
   const bool no_results = output.results.out.empty();
   if (no_results && output.video.empty() && output.player.empty())
     throw UsageError("--out is missing (or --video, or --player)");
   if (no_results && (output.results.overlay || !output.results.masks_out.empty()))
     throw UsageError(std::string(output.results.overlay ? "--overlay" : "--masks-out") + " needs --out");
+}
+
+template <typename T>
+T one_of(const std::string& option, const std::string& value, std::initializer_list<std::pair<const char*, T>> names) {
+  std::string list;
+  for (const auto& [name, meaning] : names) {
+    if (value == name) return meaning;
+    list += (list.empty() ? "" : ", ") + std::string(name);
+  }
+  throw UsageError(option + " must be one of " + list + ", not '" + value + "'");
+}
+
+double positive(const std::string& option, const std::string& value, double most) {
+  const std::optional<double> number = parse_number(value);
+  if (!number || !(*number > 0 && *number <= most))
+    throw UsageError(option + " needs a number over 0, not '" + value + "'");
+  return *number;
+}
+
+cv::Size input_size(const std::string& option, const std::string& value) {
+  const std::size_t x = value.find('x');
+  if (x == std::string::npos) throw UsageError(option + " needs WxH, as 640x384, not '" + value + "'");
+  constexpr int most = 16384;
+  return {whole_number(option, value.substr(0, x), 1, most), whole_number(option, value.substr(x + 1), 1, most)};
+}
+
+void add_network_options(CommandLine& line, Arguments& a, std::string& needs_network) {
+  network::NetworkOptions& n = a.network;
+  line.option("--network", [&](auto& name, auto& value) { n.model = not_empty(name, value); });
+  const std::map<std::string, CommandLine::Setter> setters{
+      {"--network-format",
+       [&](auto& name, auto& value) {
+         using network::Format;
+         n.format = one_of<Format>(
+             name, value, {{"yolo-seg", Format::YoloSeg}, {"mask-rcnn", Format::MaskRcnn}, {"ids", Format::Ids}});
+       }},
+      {"--network-classes", [&](auto& name, auto& value) { n.classes = not_empty(name, value); }},
+      {"--network-size", [&](auto& name, auto& value) { n.size = input_size(name, value); }},
+      {"--network-score", [&](auto& name, auto& value) { n.score = static_cast<float>(positive(name, value, 1)); }},
+      {"--network-backend", [&](auto& name, auto& value) {
+         using network::BackendChoice;
+         n.backend = one_of<BackendChoice>(
+             name, value, {{"opencv", BackendChoice::OpenCv}, {"onnxruntime", BackendChoice::OnnxRuntime}});
+       }}};
+  for (const auto& [option, setter] : setters)
+    line.option(option, [&needs_network, set = setter](auto& name, auto& value) {
+      needs_network = name;
+      set(name, value);
+    });
+  line.option("--network-delay",
+              [&](auto& name, auto& value) { a.network_seconds = whole_number(name, value, 0, 60000) / 1000.0; });
+  line.optional_number("--real-time", [&](auto& name, auto& value) {
+    constexpr double most = 1000;
+    a.real_time = true;
+    if (!value.empty()) a.fps = positive(name, value, most);
+  });
+}
+
+void check(Arguments& a, const std::string& needs_network) {
+  SequenceOptions& sequence = a.run.sequence;
+  if (sequence.folder.empty()) throw UsageError("no sequence folder given");
+  check_outputs(a.output);
+  if (a.mask_delay > 0 && (a.real_time || a.network_seconds))
+    throw UsageError("--mask-delay does not go with --real-time or --network-delay");
+  if (a.network.model.empty()) {
+    if (!needs_network.empty()) throw UsageError(needs_network + " needs --network");
+    return;
+  }
+  if (sequence.mask_dir != SequenceOptions{}.mask_dir) throw UsageError("--mask-dir does not go with --network");
+  sequence.masks = false;
+  a.network.always_dynamic = sequence.always_dynamic;
 }
 
 }  // namespace
@@ -71,14 +156,14 @@ Arguments parse_arguments(int count, const char* const* values) {
   line.option("--player", [&](auto& name, auto& value) { a.output.player = with_ending(name, value, {".html"}); });
   line.option("--mask-every", [&](auto& name, auto& value) { a.run.sequence.mask_every = whole_number(name, value); });
   line.option("--mask-delay", [&](auto& name, auto& value) { a.mask_delay = whole_number(name, value, 0); });
+  std::string needs_network;
+  add_network_options(line, a, needs_network);
   line.parse(count, values, [&](const std::string& argument) {
     std::filesystem::path& folder = a.run.sequence.folder;
     if (!folder.empty()) throw UsageError("more than one sequence: '" + folder.string() + "' and '" + argument + "'");
     folder = argument;
   });
-  if (a.help) return a;
-  if (a.run.sequence.folder.empty()) throw UsageError("no sequence folder given");
-  check_outputs(a.output);
+  if (!a.help) check(a, needs_network);
   return a;
 }
 

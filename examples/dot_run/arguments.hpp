@@ -2,15 +2,30 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
+#include <optional>
+
+#include "network/network.hpp"
 #include "run/run_options.hpp"
-#include "run_writer.hpp"
+#include "run/writer.hpp"
 
 namespace runner {
 
+/// What a run is to leave behind; an empty path: not that.
+struct OutputPaths {
+  OutputOptions results;
+  std::filesystem::path video;   ///< of the overlay
+  std::filesystem::path player;  ///< page to look at the run
+};
+
 struct Arguments {
   RunOptions run;
-  Outputs output;
-  int mask_delay = 0;  ///< frames
+  OutputPaths output;
+  int mask_delay = 0;                     ///< frames
+  network::NetworkOptions network;        ///< without a model: the masks of the sequence
+  std::optional<double> network_seconds;  ///< that a network takes at least
+  bool real_time = false;
+  std::optional<double> fps;  ///< of the frames in real time; absent: by their timestamps
   bool help = false;
 };
 

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <string>
 
+#include "run/percentile.hpp"
 #include "sequence/entries.hpp"
 
 namespace runner {
@@ -21,17 +22,11 @@ int count(const dot::Result& result, dot::State state) {
                                         [&](const dot::ObjectResult& o) { return o.area > 0 && o.state == state; }));
 }
 
-double median(std::vector<double> values) {
-  const std::size_t half = values.size() / 2;
-  std::sort(values.begin(), values.end());
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
-
 std::string full_path(const std::filesystem::path& path) {
   return std::filesystem::absolute(path).lexically_normal().string();
 }
 
-void print_files(const Outputs& output) {
+void print_files(const OutputPaths& output) {
   const OutputOptions& results = output.results;
   if (!results.out.empty()) {
     std::printf("results   %s\n", full_path(results.out).c_str());
@@ -83,6 +78,8 @@ void Summary::print_masks() const {
   std::printf("masks     ");
   if (segmented_ > 0)
     std::printf("in %d of %zu frames\n", segmented_, total_ms_.size());
+  else if (!source_.masks)
+    std::printf("by the network\n");
   else if (!is_there(folder))
     std::printf("none: there is no folder %s; without masks objects are found with --discover alone\n", folder.c_str());
   else
@@ -90,7 +87,7 @@ void Summary::print_masks() const {
                 source_.mask_every, 2 * source_.mask_every);
 }
 
-void Summary::print(const Outputs& output) const {
+void Summary::print(const OutputPaths& output, const std::string& remarks) const {
   const auto count_objects = [&](dot::State state) {
     return std::count_if(last_decided_.begin(), last_decided_.end(),
                          [&](auto& entry) { return entry.second == state; });
@@ -103,6 +100,7 @@ void Summary::print(const Outputs& output) const {
   if (camera_lost_ > 0) std::printf(", camera motion not found in %d", camera_lost_);
   std::printf("\n");
   print_masks();
+  std::printf("%s", remarks.c_str());
   std::printf("objects   %zu: %ld moving, %ld static, %ld never decided (as last decided)\n", last_decided_.size(),
               moving, standing, undecided);
   if (disparity_bias_px_ >= 0.05)
@@ -112,7 +110,7 @@ void Summary::print(const Outputs& output) const {
     // The first frame takes the buffers and has nothing to compare with.
     const std::vector<double> ms(total_ms_.begin() + 1, total_ms_.end());
     std::printf("time      %.1f ms a frame, median %.1f (tracking alone, without the first frame)\n",
-                std::accumulate(ms.begin(), ms.end(), 0.0) / static_cast<double>(ms.size()), median(ms));
+                std::accumulate(ms.begin(), ms.end(), 0.0) / static_cast<double>(ms.size()), percentile(ms, 50));
   } else {
     std::printf("time      %.1f ms (first frame)\n", total_ms_.front());
   }

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <vector>
 
+#include "arguments.hpp"
 #include "dot/pipeline/result.hpp"
-#include "run_writer.hpp"
+#include "sequence/sequence.hpp"
 
 namespace runner {
 
@@ -36,7 +38,8 @@ class Summary {
 
   /// Prints frames, how many of them had masks, objects by state, what was wrong with the depth, times and where the
   /// outputs lie.
-  void print(const Outputs& output) const;
+  /// @param remarks further lines, after those of the masks.
+  void print(const OutputPaths& output, const std::string& remarks) const;
 
  private:
   void print_masks() const;

@@ -48,6 +48,9 @@ Json run_data(const RunInfo& info) {
     json.set("decide", info.options.velocity.decide);
     json.set("keep", info.options.velocity.keep);
   }
+  Json names = Json::array();
+  for (const std::string& name : info.class_names) names.push(name);
+  json.set("classNames", names);
   return json;
 }
 

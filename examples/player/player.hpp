@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "dot/camera/intrinsics.hpp"
 #include "dot/pipeline/options.hpp"
@@ -21,6 +22,7 @@ struct RunInfo {
   std::string sequence;  ///< name to show
   dot::Intrinsics camera;
   dot::Options options;
+  std::vector<std::string> class_names = {};  ///< by ObjectResult::class_id; may be empty
 };
 
 /// One self-contained page to look at a run: its frames, what was found in them, and why. It loads nothing from

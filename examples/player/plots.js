@@ -91,7 +91,7 @@
     const hidden = run.intervals((_, i) => track.at[i] && track.at[i].area === 0);
     if (hidden.length > 0) list.push(`Not visible in ${run.inWords(hidden)}.`);
     if (object) {
-      if (object.class >= 0) list.push(`Class ${object.class}, score ${object.score.toFixed(2)}.`);
+      if (object.class >= 0) list.push(`Class ${run.className(object)}, score ${object.score.toFixed(2)}.`);
       if (object.discovered) list.push("Found by its motion, no mask shows it.");
       if (object.area > 0) list.push(`${object.area} pixels.`);
       if (run.masksUsed(view.frame))

@@ -53,6 +53,7 @@ const run = (() => {
     masksUsed,
     intervals,
     inWords,
+    className: (object) => data.classNames[object.class] || object.class,
     stateName: (object) => stateNames[object.state] || object.state,
   };
 })();

@@ -23,6 +23,9 @@ void CommandLine::parse(int count, const char* const* values,
     } else if (const auto option = options_.find(name); option != options_.end()) {
       if (equals == std::string::npos && i + 1 == count) throw UsageError(name + " needs a value");
       option->second(name, equals == std::string::npos ? values[++i] : argument.substr(equals + 1));
+    } else if (const auto optional = optional_.find(name); optional != optional_.end()) {
+      const bool follows = equals == std::string::npos && i + 1 < count && parse_number(values[i + 1]);
+      optional->second(name, equals != std::string::npos ? argument.substr(equals + 1) : follows ? values[++i] : "");
     } else if (argument.rfind('-', 0) == 0) {
       throw UsageError("unknown option '" + argument + "'");
     } else {

@@ -16,6 +16,9 @@ class CommandLine {
   void flag(const std::string& name, bool& value);
   void option(const std::string& name, Setter setter) { options_[name] = std::move(setter); }
 
+  /// An option whose value, a number, may be left out: `--name`, `--name 10` or `--name=10`; the setter then gets "".
+  void optional_number(const std::string& name, Setter setter) { optional_[name] = std::move(setter); }
+
   /// @param positional called with each argument that is no option.
   /// @throws UsageError naming the option that is unknown or lacks its value; what the setters throw.
   void parse(int count, const char* const* values, const std::function<void(const std::string&)>& positional) const;
@@ -23,6 +26,7 @@ class CommandLine {
  private:
   std::map<std::string, bool*> flags_;
   std::map<std::string, Setter> options_;
+  std::map<std::string, Setter> optional_;
 };
 
 /// A whole number from `least` to `most`.

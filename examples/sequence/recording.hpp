@@ -26,6 +26,7 @@ struct SequenceOptions {
   std::string mask_dir = "masks";           ///< folder of the masks
   bool stereo = false;                      ///< depth from the stereo pair even where there are depth images
   int mask_every = 1;                       ///< use the masks of frames 0, K, 2K, ... only
+  bool masks = true;                        ///< read the masks; off where a network makes them
   std::filesystem::path camera;             ///< camera-to-world poses to use instead of estimating the motion
   std::vector<std::string> always_dynamic;  ///< classes of the masks' csv files
   bool truth = false;                       ///< read the truth as well: a tracker has no business with it

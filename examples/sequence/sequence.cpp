@@ -63,6 +63,8 @@ Sequence::Sequence(const SequenceOptions& options)
       always_dynamic_(options.always_dynamic),
       mask_every_(options.mask_every),
       camera_motions_(recording_.entries.size()) {
+  if (!options.masks)
+    for (RecordingEntry& entry : recording_.entries) entry.masks.clear();
   if (!options.camera.empty()) read_camera(options.camera);
   if (!recording_.entries[0].right.empty()) stereo_.emplace(recording_.intrinsics);
 }
@@ -90,7 +92,8 @@ SequenceFrame Sequence::read(int index) {
   frame.image = read_colour(entry.image, image_size());
   frame.depth = stereo_ ? stereo_->compute(frame.image, read_colour(entry.right, image_size()))
                         : read_depth(entry.depth, image_size());
-  if (index % mask_every_ != 0 || entry.masks.empty()) return frame;
+  frame.masks_wanted = index % mask_every_ == 0;
+  if (!frame.masks_wanted || entry.masks.empty()) return frame;
   frame.ids = read_ids(entry.masks);
   if (!entry.instances.empty()) frame.instances = read_instances(entry.instances, always_dynamic_);
   return frame;

@@ -21,7 +21,8 @@ struct SequenceFrame {
   cv::Mat image;
   cv::Mat depth;  ///< CV_16UC1, or CV_32FC1 in metres
   double depth_units_per_metre = 256;
-  cv::Mat ids;  ///< empty: no segmentation
+  bool masks_wanted = true;  ///< SequenceOptions::mask_every does not leave this frame out
+  cv::Mat ids;               ///< empty: no segmentation
   std::vector<dot::Instance> instances;
   std::optional<dot::CameraMotion> camera_motion;
 

@@ -64,6 +64,21 @@ ends "too short for a start" 1 "has fewer frames than --start-frames 8" "$work/o
 ends "starts with a page" 2 "--html cannot be combined with --starts" "$sample" --starts 8 --html "$work/no.html"
 ends "a mover dropped without starts" 2 "--drop-largest needs --starts" "$sample" --drop-largest 3
 
+# --- Masks as late as a network's.
+
+ends "late masks" 1 "FAILED: $work/none: no such folder" "$sample" "$work/none" --network-delay 0,250 --plot "$work/late.svg"
+grep -q '^ *with frame ' "$work/stdout" || fail "no row of masks with their frame"
+# 24 frames of 0.1 s: each frame but the last; at 250 ms frames 0, 2, 4, 7, 9, 12, 14, 17 and 19.
+grep -q '^ *0  *23/24  *0 ' "$work/stdout" || fail "without a delay not every mask was used"
+grep -q '^ *250  *9/24  *0 ' "$work/stdout" || fail "a network of 250 ms has not segmented 9 frames in time"
+[ "$(grep -c '<polyline' "$work/late.svg")" -eq 3 ] || fail "the plot has not three lines"
+cp "$work/late.svg" "$work/late_once.svg"
+ends "late masks side by side" 1 "with frame" "$sample" "$work/none" --network-delay 0,250 --plot "$work/late.svg" --jobs 3
+cmp -s "$work/late.svg" "$work/late_once.svg" || fail "the plot differs with --jobs"
+ends "a plot of nothing" 2 "--plot needs --network-delay" "$sample" --plot "$work/late.svg"
+ends "delays in words" 2 "--network-delay" "$sample" --network-delay soon
+ends "delays and rates" 2 "--network-delay takes one rate" "$sample" --network-delay 50 --rates 1,2
+
 # --- With --out the files are those of dot_run.
 
 ends "output" 0 "first" "$work/first" --rates 2 --out "$work/out"

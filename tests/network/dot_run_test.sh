@@ -1,0 +1,136 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+#
+# dot_run with a network and in real time: on the sample, bad input, and stopped in the middle.
+# usage: dot_run_test.sh DOT_RUN SAMPLE_DIR CARS_ONNX MODEL_DIR
+
+set -u
+if [ $# -ne 4 ]; then
+  echo "usage: $0 DOT_RUN SAMPLE_DIR CARS_ONNX MODEL_DIR" >&2
+  exit 2
+fi
+dot_run=$1
+sample=$2
+cars=$3
+models=$4
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+fail() {
+  failures=$((failures + 1))
+  echo "FAILED: $1" >&2
+  cat "$work/stdout" "$work/stderr" | sed 's/^/    /' >&2
+}
+
+# accepts WHAT OUT ARGUMENT...: a run over the sample ends with 0 and complains of nothing.
+accepts() {
+  local what=$1 out=$2 got
+  shift 2
+  "$dot_run" "$sample" --out "$work/$out" "$@" > "$work/stdout" 2> "$work/stderr"
+  got=$?
+  [ "$got" -eq 0 ] || fail "$what: status $got, expected 0"
+  [ ! -s "$work/stderr" ] || fail "$what: says something on standard error"
+}
+
+# says WHAT TEXT: on standard output.
+says() { grep -qF -- "$2" "$work/stdout" || fail "$1: does not say '$2'"; }
+
+# rejects WHAT STATUS TEXT ARGUMENT...: ends with STATUS and says TEXT in one line.
+rejects() {
+  local what=$1 status=$2 text=$3 got
+  shift 3
+  "$dot_run" "$sample" --out "$work/rejected" "$@" > "$work/stdout" 2> "$work/stderr"
+  got=$?
+  [ "$got" -eq "$status" ] || fail "$what: status $got, expected $status"
+  grep -qF -- "$text" "$work/stderr" || fail "$what: the message does not contain '$text'"
+  [ "$(wc -l < "$work/stderr")" -eq 1 ] || fail "$what: the message is not one line"
+}
+
+# large STATE PIXELS: objects of that state with so many pixels, in frame 16 of the run with_frame.
+large() {
+  awk -F, -v state="$1" -v least="$2" '
+    NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "pixels") pixels = i }
+    $1 == 16 && $3 == state && $pixels >= least { ++count }
+    END { print count + 0 }' "$work/with_frame/objects.csv"
+}
+
+# --- With its frame: the cars that move are found, the masks of the sample are not read.
+
+accepts "network" with_frame --network "$cars"
+says "network" "masks     in 24 of 24 frames"
+says "network" "network   $cars: ids, input 620x188, OpenCV"
+# In frame 16 the car that comes towards the camera has 5,745 pixels, the van 2,006, and the nearest parked car 15,880.
+[ "$(large moving 1500)" -eq 2 ] || fail "frame 16 has not two large movers"
+[ "$(large static 10000)" -eq 1 ] || fail "frame 16 does not have the parked car as static"
+accepts "every fourth frame" every --network "$cars" --mask-every 4
+says "every fourth frame" "masks     in 6 of 24 frames"
+accepts "format" format --network "$cars" --network-format ids --network-size 620x188
+diff -r -x timing.csv "$work/with_frame" "$work/format" > "$work/stderr" || fail "the format that was guessed differs"
+
+# --- Later, in the time of the sequence: the same at each run.
+
+accepts "delay" delay1 --network "$cars" --network-delay 150
+says "delay" "masks of 17 frames: 15 used, 0 too late, 2 not done at the end; 7 frames skipped by the network"
+accepts "delay again" delay2 --network "$cars" --network-delay 150
+diff -r -x timing.csv "$work/delay1" "$work/delay2" > "$work/stderr" || fail "a delayed run differs from the one before"
+accepts "the sequence's masks with a delay" delay3 --network-delay 250
+! grep -q '^[012],' "$work/delay3/objects.csv" || fail "masks of frame 0 show before 250 ms"
+grep -q '^3,' "$work/delay3/objects.csv" || fail "masks of frame 0 do not show after 250 ms"
+accepts "too slow a network" delay4 --network-delay 1500
+says "too slow a network" "0 used, 1 too late"
+
+# --- In real time.
+
+accepts "real time" real --network "$cars" --real-time 30
+says "real time" "real time 24 frames came"
+says "real time" "from frame to masks median"
+[ "$(tail -n 1 "$work/real/timing.csv" | cut -d , -f 1)" = 23 ] || fail "the last frame was not tracked"
+accepts "real time without a network" real2 --real-time=50 --network-delay 40
+accepts "real time by the timestamps" real3 --real-time
+
+# --- Stopped in the middle: no table has its name, and the program says so.
+
+"$dot_run" "$sample" --out "$work/stopped" --network "$cars" --real-time 2 > "$work/stdout" 2> "$work/stderr" &
+run=$!
+# The wait is long for a slow machine alone.
+for ((i = 0; i < 600; ++i)); do
+  grep -qs '^1,' "$work/stopped/timing.csv.partial" && break
+  sleep 0.1
+done
+kill -INT "$run"
+wait "$run"
+[ $? -eq 130 ] || fail "stopped: the status is not 130"
+grep -q '^dot_run: interrupted after [0-9]* frames$' "$work/stderr" || fail "stopped: does not say so"
+[ ! -e "$work/stopped/timing.csv" ] && [ -s "$work/stopped/timing.csv.partial" ] || fail "stopped: the table looks complete"
+
+# --- Bad input.
+
+rejects "no file" 1 "$work/none.onnx: cannot be read" --network "$work/none.onnx"
+rejects "a folder" 1 "$models: cannot be read" --network "$models"
+rejects "no network" 1 "times.txt: is no ONNX model" --network "$sample/times.txt"
+rejects "a layer that is not supported" 1 'of type "Det"' --network "$models/unsupported.onnx" --network-backend opencv
+rejects "another format" 1 "cars.onnx: has no output of shape 1xMxN (boxes, scores and coefficients), only 'ids' 1x1x47x155" \
+  --network "$cars" --network-format yolo-seg
+rejects "another number of classes" 1 "expected 1x86xN (YOLOv8, YOLO11)" --network "$models/yolo_v8.onnx"
+rejects "a failure beside the tracker" 1 "expected 1x86xN (YOLOv8, YOLO11)" --network "$models/yolo_v8.onnx" --real-time
+rejects "a failure with a delay" 1 "no_ids.onnx: output 'ids' is 0.5" --network "$models/no_ids.onnx" --network-delay 50
+rejects "another size" 1 "and --network-size says 640x640" --network "$cars" --network-size 640x640
+rejects "no size" 2 "--network-size needs WxH" --network "$cars" --network-size 640
+rejects "unknown format" 2 "--network-format must be one of yolo-seg, mask-rcnn, ids" --network "$cars" --network-format rle
+rejects "unknown backend" 2 "--network-backend must be one of opencv, onnxruntime" --network "$cars" --network-backend cuda
+rejects "score of 0" 2 "--network-score" --network "$cars" --network-score 0
+rejects "option without a network" 2 "--network-size needs --network" --network-size 640x640
+rejects "classes of ids" 2 "--network-classes" --network "$cars" --network-classes "$sample/times.txt"
+rejects "masks of two sources" 2 "--mask-dir does not go with --network" --network "$cars" --mask-dir masks2
+rejects "two delays" 2 "--mask-delay does not go with" --mask-delay 1 --network-delay 100
+rejects "delay in words" 2 "--network-delay needs a whole number" --network-delay soon
+rejects "a rate of 0" 2 "--real-time needs a number over 0" --real-time 0
+rejects "a rate in words" 2 "--real-time needs a number over 0" --real-time=fast
+
+if [ "$failures" -gt 0 ]; then
+  echo "$failures checks failed" >&2
+  exit 1
+fi
+echo "all checks passed"

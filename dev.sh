@@ -14,8 +14,8 @@ usage() {
   cat <<'TXT'
 usage: ./dev.sh VERB
 
-  demo       build the runner, run it on the sample sequence, show where the pictures are; "demo network" makes the
-             masks by a small network beside the tracker, in real time
+  demo       build the runner, run it on the sample sequence, show where the pictures and a page of the run are; "demo network" makes the
+             masks by a small network beside the tracker, in real time, and a page and a video of the run
   test       build everything and run all tests
   player     test the page of dot_run --player in Chromium, which is installed; leave pictures of it in out/player
   bench      build and run the benchmarks, those beside OpenCV's odometry too; with arguments Google Benchmark's
@@ -92,9 +92,10 @@ demo() {
   say "running dot_run on $sample"
   local out=$root/out/demo
   rm -rf "$out"
-  "$build/examples/dot_run" "$sample" --out "$out" --overlay --mask-every 1 || fail "dot_run failed on the sample"
+  "$build/examples/dot_run" "$sample" --out "$out" --overlay --player "$out/run.html" || fail "dot_run failed on the sample"
   say "results"
   printf 'labels    %s (0 background, 1 static, 2 moving, 3 not observable)\n' "$out/labels"
+  printf 'page      %s\n' "$out/run.html"
   printf 'pictures  %s\n' "$out/overlay"
   printf 'summary   %s\n' "$out/objects.csv" "$out/camera.txt" "$out/timing.csv"
 }
@@ -105,9 +106,15 @@ demo_network() {
   say "running dot_run on $sample in real time, with a network beside it"
   local out=$root/out/demo-network
   rm -rf "$out"
-  "$build/examples/dot_run" "$sample" --out "$out" --overlay --network examples/data/network/cars.onnx --real-time \
-    || fail "dot_run failed on the sample"
+  local run=("$build/examples/dot_run" "$sample" --out "$out" --overlay --player "$out/run.html"
+    --network examples/data/network/cars.onnx --real-time)
+  if ! "${run[@]}" --video "$out/run.mp4"; then
+    say "once more without the video, which not every OpenCV can write"
+    "${run[@]}" || fail "dot_run failed on the sample"
+  fi
   say "results"
+  printf 'page      %s\n' "$out/run.html"
+  [ ! -f "$out/run.mp4" ] || printf 'video     %s\n' "$out/run.mp4"
   printf 'pictures  %s\n' "$out/overlay"
   printf 'summary   %s\n' "$out/objects.csv" "$out/camera.txt" "$out/timing.csv"
 }

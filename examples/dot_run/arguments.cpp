@@ -14,36 +14,43 @@ namespace runner {
 namespace {
 
 const char* const own_usage =
-    R"(usage: dot_run SEQ [--out OUT] [--video FILE] [--player FILE] [options]
+    R"(usage: dot_run SEQ [--out OUT] [--player FILE] [--video FILE] [options]
 
 Labels the objects of a recorded sequence as static, moving or not observable.
 
 SEQ holds rgb/, depth/ or right/, masks/ and intrinsics.txt, or is a recording of KITTI, Virtual KITTI 2
 or TUM RGB-D, see docs/recordings.md. OUT receives labels/, instances/, camera.txt, objects.csv and
-timing.csv; the tables end in .partial until the last frame is done. At least one of OUT, a video and a
-player must be named.
+timing.csv; the tables end in .partial until the last frame is done. At least one of OUT, a player and a
+video must be named.
 
+what to write
   --out OUT                 folder for the results, made if it does not exist; those of an earlier run in it
                             are removed
+  --overlay                 write pictures to OUT/overlay/
+  --masks-out DIR           write exclusion masks, 255 = do not use: DIR/mask_dot/ (moving or undecided objects)
+                            and DIR/mask_all/ (every object)
+  --player FILE             write a page, .html, to look at the run in a browser: frames, objects, why each has
+                            its state; see docs/player.md
+  --video FILE              write the pictures of --overlay as a video, .mp4, .mkv or .avi
+
+masks
   --mask-every K            use only the masks of frames 0, K, 2K, ... (default 1)
   --mask-delay N            hand a frame's masks over only after N further frames, as if a network had taken
                             that long (default 0: with their frame)
-  --overlay                 write pictures to OUT/overlay/
-  --video FILE              write these pictures as a video, .mp4, .mkv or .avi
-  --player FILE             write a page, .html, to look at the run in a browser: frames, objects, why each has its
-                            state
-  --masks-out DIR           write exclusion masks, 255 = do not use: DIR/mask_dot/ (moving or undecided objects)
-                            and DIR/mask_all/ (every object)
-  --network FILE            segment the images with this ONNX network instead of reading masks, see docs/network.md
+  --network FILE            segment the images with this ONNX network instead of reading masks; see
+                            docs/network.md
   --network-format NAME     what it gives: yolo-seg, mask-rcnn or ids (default: by its outputs)
   --network-classes FILE    its classes, `name` or `name, moves|dynamic|ignored` a line (default: COCO's)
   --network-size WxH        size of its input, where the file leaves it open
   --network-score S         least score of an instance, 0 to 1 (default 0.25 for yolo-seg, 0.5 for mask-rcnn)
   --network-backend NAME    opencv or onnxruntime (default: ONNX Runtime if the program was built with it)
-  --network-delay MS        masks come as late as from a network that takes so long for a frame; with --real-time the
-                            network's own time counts, too. Without --network: the masks of the sequence
-  --real-time [FPS]         frames come by their timestamps, or FPS of them a second, and those that come too fast are
-                            dropped; the network runs beside the tracker, and its masks come late
+  --network-delay MS        masks come as late as from a network that takes so long for a frame; with
+                            --real-time the network's own time counts, too. Without --network: the masks of
+                            the sequence
+  --real-time [FPS]         frames come by their timestamps, or FPS of them a second, and those that come too
+                            fast are dropped; the network runs beside the tracker, and its masks come late
+
+input and tracker
 )";
 
 /// An ending that none of the recording's files has: these cannot be overwritten by mistake.

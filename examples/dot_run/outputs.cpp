@@ -36,12 +36,16 @@ void Outputs::add(const SequenceFrame& frame, const dot::Result& result, double 
 
 void Outputs::finish(bool complete, const std::string& remarks) {
   progress_.reset();
+  OutputPaths written = paths_;
   if (complete) {
     if (player_) player_->finish();
     if (video_) video_->finish();
     if (results_) results_->finish();
+  } else {
+    written.video.clear();
+    written.player.clear();
   }
-  if (done_ > 0) summary_.print(paths_, remarks);
+  if (done_ > 0) summary_.print(written, remarks);
   if (!complete) std::fprintf(stderr, "dot_run: interrupted after %d frames\n", done_);
 }
 

@@ -9,7 +9,7 @@
 #include "arguments.hpp"
 #include "dot/pipeline/options.hpp"
 #include "dot/pipeline/result.hpp"
-#include "overlay_video.hpp"
+#include "player/overlay_video.hpp"
 #include "player/player.hpp"
 #include "progress.hpp"
 #include "run/writer.hpp"
@@ -31,7 +31,8 @@ class Outputs {
   void add(const SequenceFrame& frame, const dot::Result& result, double total_ms);
 
   /// After the last frame.
-  /// @param complete whether all frames are done: only then the files get their names.
+  /// @param complete whether all frames are done: otherwise the tables keep their names of incomplete ones, and there
+  /// is neither page nor video.
   /// @param remarks further lines for the summary.
   /// @throws FileError when a file cannot be written.
   void finish(bool complete, const std::string& remarks);
@@ -39,7 +40,7 @@ class Outputs {
  private:
   OutputPaths paths_;
   std::optional<ResultWriter> results_;
-  std::optional<OverlayVideo> video_;
+  std::optional<player::OverlayVideo> video_;
   std::optional<player::Player> player_;
   Summary summary_;
   std::optional<Progress> progress_;  ///< the last line but the summary

@@ -90,9 +90,21 @@ says "real time" "from frame to masks median"
 accepts "real time without a network" real2 --real-time=50 --network-delay 40
 accepts "real time by the timestamps" real3 --real-time
 
+# --- With a page: one list of outputs, in each way of running.
+
+frames_of() { grep -c 'class="frame"' "$1"; }
+accepts "page, masks with their frame" page1 --network "$cars" --player "$work/page1.html"
+[ "$(frames_of "$work/page1.html")" -eq 24 ] || fail "the page has not 24 frames"
+diff -r -x timing.csv "$work/with_frame" "$work/page1" > "$work/stderr" || fail "the results differ with a page"
+accepts "page, delay" page2 --network-delay 150 --player "$work/page2.html"
+[ "$(frames_of "$work/page2.html")" -eq 24 ] || fail "the page of the delay has not 24 frames"
+accepts "page, real time" page3 --network "$cars" --real-time 30 --player "$work/page3.html"
+tracked=$(($(wc -l < "$work/page3/timing.csv") - 1))
+[ "$(frames_of "$work/page3.html")" -eq "$tracked" ] || fail "the page of real time has not the $tracked frames of the tables"
+
 # --- Stopped in the middle: no table has its name, and the program says so.
 
-"$dot_run" "$sample" --out "$work/stopped" --network "$cars" --real-time 2 > "$work/stdout" 2> "$work/stderr" &
+"$dot_run" "$sample" --out "$work/stopped" --player "$work/stopped.html" --network "$cars" --real-time 2 > "$work/stdout" 2> "$work/stderr" &
 run=$!
 # The wait is long for a slow machine alone.
 for ((i = 0; i < 600; ++i)); do
@@ -104,6 +116,8 @@ wait "$run"
 [ $? -eq 130 ] || fail "stopped: the status is not 130"
 grep -q '^dot_run: interrupted after [0-9]* frames$' "$work/stderr" || fail "stopped: does not say so"
 [ ! -e "$work/stopped/timing.csv" ] && [ -s "$work/stopped/timing.csv.partial" ] || fail "stopped: the table looks complete"
+ls "$work"/stopped.html* > /dev/null 2>&1 && fail "stopped: there is a page"
+! grep -q 'stopped.html' "$work/stdout" || fail "stopped: names a page that is not there"
 
 # --- Bad input.
 

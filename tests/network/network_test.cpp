@@ -164,6 +164,15 @@ TEST(Network, Yolo) {
   }
 }
 
+TEST(Network, TellsTheNamesOfItsClasses) {
+  const TextFile classes("wall, ignored\ncar\n");
+  NetworkOptions o = options("yolo_v8");
+  o.classes = classes.path();
+  EXPECT_EQ(open_network(o, {16, 8}).class_names, (std::vector<std::string>{"wall", "car"}));
+  EXPECT_EQ(open_network(options("torchvision"), {8, 4}).class_names.at(2), "car");
+  EXPECT_TRUE(open_network(options("ids"), {8, 4}).class_names.empty());
+}
+
 TEST(Network, MaskRcnn) {
   EXPECT_EQ(picture(run(options("torchvision"), {8, 4}).ids),
             (Picture{".22.....", "222111..", "222111..", "222....."}));

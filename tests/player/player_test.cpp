@@ -130,6 +130,16 @@ TEST(Player, NamesAreEscaped) {
   EXPECT_EQ(count(page, "{\"sequence\":\"\\u003c/title>"), 1);
 }
 
+TEST(Player, HasTheNamesOfTheClasses) {
+  const RecordingFolder folder;
+  const fs::path path = folder.path() / "run.html";
+  RunInfo with_names = info();
+  with_names.class_names = {"person", "<car>"};
+  Player player(path, with_names);
+  player.finish();
+  EXPECT_EQ(count(content(path), R"("classNames":["person","\u003ccar>"])"), 1);
+}
+
 TEST(Player, LargePicturesAreMadeSmaller) {
   const RecordingFolder folder;
   dot::Intrinsics large = camera;

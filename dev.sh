@@ -14,8 +14,8 @@ usage() {
   cat <<'TXT'
 usage: ./dev.sh VERB
 
-  demo       build the runner, run it on the sample sequence, show where the pictures and a page of the run are; "demo network" makes the
-             masks by a small network beside the tracker, in real time, and a page and a video of the run
+  demo       build the runner, run it on the sample sequence, show where the pictures and a page to look at are;
+             "demo network": in real time, with a small network that makes the masks, and a video
   test       build everything and run all tests
   player     test the page of dot_run --player in Chromium, which is installed; leave pictures of it in out/player
   bench      build and run the benchmarks, those beside OpenCV's odometry too; with arguments Google Benchmark's

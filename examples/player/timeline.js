@@ -24,7 +24,7 @@
 
   addRow("frame", slider);
   addRow("camera", scrubbed(strip((i) => run.frames[i].camera.status, (i) => run.frames[i].camera.words)));
-  const maskText = (frame) => !frame.masks ? "The network has no masks of this frame: earlier ones are carried on."
+  const maskText = (frame) => !frame.masks ? "No masks came with this frame: earlier ones are carried on."
     : run.masksUsed(frame) ? "The network's masks of this frame are used."
     : "The network's masks of this frame came too late for its result, or show nothing.";
   addRow("network masks", scrubbed(strip(

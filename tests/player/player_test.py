@@ -350,7 +350,7 @@ class Small(unittest.TestCase):
             browser.key("ArrowRight")
         self.assertIn("came too late for its result", browser.text("#camera"))
         browser.key("ArrowLeft")
-        self.assertIn("The network has no masks of this frame", browser.text("#camera"))
+        self.assertIn("No masks came with this frame", browser.text("#camera"))
 
     def test_no_frames(self):
         page = page_of("one", 1)

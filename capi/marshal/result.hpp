@@ -70,6 +70,10 @@ inline dot_object to_c(const dot::ObjectResult& object) {
   std::copy(object.velocity.begin(), object.velocity.end(), out.velocity);
   std::copy(object.velocity_covariance.begin(), object.velocity_covariance.end(), out.velocity_covariance);
   out.speed = object.speed;
+  std::copy(object.angular_velocity.begin(), object.angular_velocity.end(), out.angular_velocity);
+  std::copy(object.angular_covariance.begin(), object.angular_covariance.end(), out.angular_covariance);
+  out.point_speed = object.point_speed;
+  out.point_speed_sigma = object.point_speed_sigma;
   out.phi = object.phi;
   out.disparity_px = object.disparity_px;
   out.disparity_noise_px = object.disparity_noise_px;

@@ -135,8 +135,6 @@ double sigma_of_length(const std::array<double, 3>& v, const std::array<double, 
   return std::sqrt(std::max(0.0, variance / squared));
 }
 
-double speed_limit(const dot::VelocitySettings& settings, double range) {
-  return std::max(1e-3, std::min(settings.v0, settings.v0_per_metre * range));
-}
+double speed_limit(const dot::VelocitySettings& settings, double range) { return settings.v0_at(range); }
 
 }  // namespace player

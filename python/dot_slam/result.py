@@ -28,7 +28,8 @@ OBJECT_DTYPE = np.dtype(
      ("n_inliers", "i4"), ("p_moving", "f8"), ("T_o", "f8", (3, 4)), ("covariance", "f8", (6, 6)),
      ("velocity", "f8", 3), ("velocity_covariance", "f8", (3, 3)), ("speed", "f8"), ("phi", "f8"),
      ("disparity_px", "f8"), ("disparity_noise_px", "f8"), ("entropy", "f8"), ("range", "f8"), ("interval", "f8"),
-     ("fused_velocity", "f8", 3), ("fused_covariance", "f8", (3, 3))], align=True)
+     ("fused_velocity", "f8", 3), ("fused_covariance", "f8", (3, 3)), ("angular_velocity", "f8", 3),
+     ("angular_covariance", "f8", (3, 3)), ("point_speed", "f8"), ("point_speed_sigma", "f8")], align=True)
 CAMERA_DTYPE = np.dtype(
     [("struct_size", "u4"), ("status", "u4"), ("n_points", "i4"), ("n_inliers", "i4"), ("frame_id", "u8"),
      ("timestamp", "f8"), ("interval", "f8"), ("T_cur_prev", "f8", (3, 4)), ("covariance", "f8", (6, 6)),
@@ -93,6 +94,12 @@ class Object:
     # Fused over time.
     fused_velocity: Floats  # (3,), m/s, this camera's axes
     fused_covariance: Floats  # (3, 3); zeros if nothing was fused yet
+
+    # The single fit of this frame, continued.
+    angular_velocity: Floats  # (3,), rad/s, previous camera's axes
+    angular_covariance: Floats  # (3, 3)
+    point_speed: float  # m/s, of the object's points, turning included: root of the mean square
+    point_speed_sigma: float  # m/s, of the points' velocities: root of the mean trace of their covariances
 
 
 _FLAGS = {"segmented": c.OBJECT_SEGMENTED, "always_dynamic": c.OBJECT_ALWAYS_DYNAMIC,

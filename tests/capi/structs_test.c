@@ -26,8 +26,8 @@ static void test_layout(void) {
   CHECK(offsetof(dot_frame, camera_prior) == 56);
   CHECK(sizeof(dot_camera_result) == 480 && offsetof(dot_camera_result, masked_share) == 464 &&
         offsetof(dot_camera_result, T_cur_prev) == 40 && offsetof(dot_camera_result, small_instances) == 472);
-  CHECK(sizeof(dot_object) == 704 && offsetof(dot_object, p_moving) == 64 && offsetof(dot_object, T_o) == 72);
-  CHECK(offsetof(dot_object, fused_velocity) == 608);
+  CHECK(sizeof(dot_object) == 816 && offsetof(dot_object, p_moving) == 64 && offsetof(dot_object, T_o) == 72);
+  CHECK(offsetof(dot_object, fused_velocity) == 608 && offsetof(dot_object, angular_velocity) == 704);
   CHECK(sizeof(dot_exclusion_policy) == 16);
 }
 

@@ -126,9 +126,13 @@ inline void check_object(const dot_object& o) {
   check_covariance(o.covariance);
   check_finite(o.velocity);
   check_covariance(o.velocity_covariance);
+  check_finite(o.angular_velocity);
+  check_covariance(o.angular_covariance);
+  FUZZ_DEMAND(o.point_speed >= 0 && o.point_speed_sigma >= 0);
   check_finite(o.fused_velocity);
   check_covariance(o.fused_covariance);
-  check_finite({o.speed, o.phi, o.disparity_px, o.disparity_noise_px, o.entropy, o.range, o.interval});
+  check_finite({o.speed, o.point_speed, o.point_speed_sigma, o.phi, o.disparity_px, o.disparity_noise_px, o.entropy,
+                o.range, o.interval});
 }
 
 /// That the images agree with the objects, pixel by pixel.

@@ -219,8 +219,8 @@ TEST(VelocityClassifier, OutlierFitsDoNotFlipAState) {
 
 TEST(VelocityClassifier, NearThingsMoveAtLowerSpeeds) {
   const VelocityClassifier classifier;
-  EXPECT_DOUBLE_EQ(classifier.v0(1), 0.05);
-  EXPECT_DOUBLE_EQ(classifier.v0(4), 0.2);
+  EXPECT_DOUBLE_EQ(classifier.v0(1), 0.005);
+  EXPECT_DOUBLE_EQ(classifier.v0(4), 0.08);
   EXPECT_DOUBLE_EQ(classifier.v0(10), 0.5);
   EXPECT_DOUBLE_EQ(classifier.v0(80), 0.5);
   EXPECT_GT(classifier.v0(0), 0);

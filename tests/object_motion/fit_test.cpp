@@ -32,6 +32,7 @@ TEST(Reversed, IsTheMotionForwards) {
     back.motion.velocity = (back.T_o * centroid - centroid) / dt;
     back.motion.covariance = any_covariance<3>(3);
     back.sigma = any_covariance<6>(4);
+    back.motion.angular_velocity = dot::so3::log(back.T_o.R) / dt;
     const ObjectFit out = back.reversed(C);
     EXPECT_TRUE(out.ok());
     const SE3d forwards = camera_at(2).inverse() * step * camera_at(2);
@@ -39,6 +40,7 @@ TEST(Reversed, IsTheMotionForwards) {
     EXPECT_LT(error.norm(), 1e-12);
     const Vector3<double> before = camera_at(2).inverse() * place;
     EXPECT_LT((out.motion.velocity - (forwards * before - before) / dt).norm(), 1e-12);
+    EXPECT_LT((out.motion.angular_velocity - dot::so3::log(forwards.R) / dt).norm(), 1e-9);
     const Vector3<double> along(0.3, -0.5, 0.8);
     EXPECT_NEAR((C.R * along).dot(out.motion.covariance * (C.R * along)), along.dot(back.motion.covariance * along),
                 1e-12);

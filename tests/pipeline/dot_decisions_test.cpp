@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "dot/tracker.hpp"
 #include "support/film.hpp"
@@ -40,10 +41,7 @@ Path braking(const Vector3<double>& from, double start, double deceleration, dou
 }
 
 /// What counts as moving at this range, m/s.
-double v0(double range) {
-  const dot::VelocitySettings s;
-  return std::min(s.v0, s.v0_per_metre * range);
-}
+double v0(double range) { return dot::VelocitySettings{}.v0_at(range); }
 
 /// A camera that drives slowly, with the noise of a usual sensor.
 Film<> film_at(double fps) {
@@ -114,6 +112,62 @@ TEST_P(FrameRate, AParkedCarThatDrivesOffIsMovingTwoFramesAfterTwiceV0) {
 
 INSTANTIATE_TEST_SUITE_P(Decision, FrameRate, testing::Values(5.0, 10.0, 30.0),
                          [](const auto& test) { return std::to_string(static_cast<int>(test.param)) + "Hz"; });
+
+/// A box of 0.3 m on a table, 1.3 m before an RGB-D camera in a hand.
+constexpr std::uint32_t box_on_table = 5;
+const Vector3<double> on_table(0.1, 0.05, 1.3);
+Film<> table(const Path& path) {
+  Film<> film;
+  film.camera_path = [](double t) {
+    return SE3d{dot::so3::exp(Vector3<double>(0, 0.05 * std::sin(2 * t), 0)), Vector3<double>(0.04 * t, 0, 0)};
+  };
+  film.degradation.noise = 1.5;
+  film.degradation.depth_noise = 0.002;
+  film.direct = [](int i, Scene& scene) {
+    if (i > 0) return;
+    using V = Vector3<double>;
+    Body& room = scene.bodies.front();
+    room.quads.clear();
+    room.quads.push_back({V(0, 0.25, 1.5), V(6, 0, 0), V(0, 0, 3), Texture(11, 0.06, 0.5)});  // the table
+    room.quads.push_back({V(0, -1, 2.6), V(6, 0, 0), V(0, 3, 0), Texture(12, 0.08, 0.6)});    // a wall
+  };
+  film.add(box(box_on_table, {0.15, 0.15, 0.15}, 77, 0.03, 0.2), path);
+  return film;
+}
+
+/// States of the box after the first half second, at `fps`.
+std::vector<State> states_on_table(const Path& path, double fps, double seconds = 1.5) {
+  Film<> film = table(path);
+  film.interval = 1 / fps;
+  Options options;
+  options.depth_noise.source = dot::DepthSource::Rgbd;
+  Tracker tracker(small_camera(), options);
+  std::vector<State> states;
+  for (int i = 0; film.interval * i < seconds; ++i) {
+    const Result& result = film.next(tracker);
+    const ObjectResult* o = object_on(result, film.truth().ids, box_on_table);
+    if (film.interval * i >= 0.5) states.push_back(o ? o->state : State::Background);
+  }
+  return states;
+}
+double share(const std::vector<State>& states, State state) {
+  return static_cast<double>(std::count(states.begin(), states.end(), state)) / static_cast<double>(states.size());
+}
+Path turning(double degrees_per_second) {
+  return [=](double t) { return SE3d{dot::so3::exp(Vector3<double>(0, degrees_per_second * t / 57.3, 0)), on_table}; };
+}
+
+TEST_P(FrameRate, ASlowBoxOnATableMoves) {
+  EXPECT_GE(share(states_on_table(straight(on_table, {0.06, 0, 0}), GetParam()), State::Moving), 0.9);
+}
+
+TEST_P(FrameRate, ABoxThatTurnsOnTheSpotMoves) {
+  EXPECT_GE(share(states_on_table(turning(20), GetParam()), State::Moving), 0.9);
+}
+
+TEST_P(FrameRate, ABoxAtRestOnATableIsStatic) {
+  EXPECT_GE(share(states_on_table(straight(on_table), GetParam(), 3), State::Static), 0.95);
+}
 
 /// A yard of little contrast and, close to the camera, something large of much.
 Film<> lorry(const Vector3<double>& velocity) {

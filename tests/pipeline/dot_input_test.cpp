@@ -365,7 +365,8 @@ TEST(Input, EveryOptionWorksAtTheEndsOfItsRange) {
           EXPECT_TRUE(all_finite(result.camera.T_cur_prev) && all_finite(result.camera.covariance));
           for (const dot::ObjectResult& o : result.objects) {
             EXPECT_TRUE(std::isfinite(o.p_moving) && std::isfinite(o.speed) && std::isfinite(o.entropy));
-            EXPECT_TRUE(all_finite(o.velocity) && all_finite(o.velocity_covariance) && all_finite(o.covariance));
+            EXPECT_TRUE(all_finite(o.velocity) && all_finite(o.angular_velocity) && all_finite(o.velocity_covariance) &&
+                        all_finite(o.covariance));
             EXPECT_TRUE(all_finite(o.fused_velocity) && all_finite(o.fused_covariance) && all_finite(o.T_o));
           }
         }

@@ -187,9 +187,9 @@ TEST(Tracker, ClassifierIsChosenAtRunTime) {
 
 TEST(Tracker, V0SaysWhatCountsAsMoving) {
   Options options;
-  EXPECT_EQ(last_states(options, 0.9).second, State::Moving);  // three times 0.05 / s * 6.5 m
+  EXPECT_EQ(last_states(options, 0.9).second, State::Moving);  // four times 0.005 / (m s) * (6.5 m)^2
   options.velocity.v0 = 3;
-  options.velocity.v0_per_metre = 3;
+  options.velocity.v0_per_square_metre = 3;
   EXPECT_EQ(last_states(options, 0.9).second, State::Static);
 }
 

@@ -58,7 +58,7 @@ TEST(Explanation, OfDecidedObjectsByTheThresholds) {
 TEST(Explanation, NearObjectsHaveALowerLimit) {
   dot::ObjectResult near = object(dot::State::Moving, 0.95);
   near.range = 4;
-  EXPECT_TRUE(has(explanation(near, {}), "faster than 0.20 m/s counts as moving"));
+  EXPECT_TRUE(has(explanation(near, {}), "faster than 0.08 m/s counts as moving"));
 }
 
 TEST(Explanation, WhyNotDecided) {

@@ -49,9 +49,14 @@ def test_options_arrive():
             return [track(tracker, i) for i in range(8)][-1].labels
 
     assert (labels() == State.MOVING).any()
-    assert not (labels(options={"velocity.v0": 1.0, "velocity.v0_per_metre": 1}) == State.MOVING).any()
-    assert not (labels(depth_units_per_metre=10000) == State.MOVING).any()  # all of it is ten times slower
+    assert not (labels(options={"velocity.v0": 1.0, "velocity.v0_per_square_metre": 1}) == State.MOVING).any()
     assert np.array_equal(labels(options={"threads": 2}), labels())
+
+    def farthest(**changes):
+        with new_tracker(**changes) as tracker:
+            return [track(tracker, i) for i in range(8)][-1].table["range"].max()
+
+    assert farthest(depth_units_per_metre=10000) < 0.2 * farthest()  # all of it is ten times nearer
 
 
 def test_exclusion_mask(tracker):

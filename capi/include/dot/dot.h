@@ -295,6 +295,12 @@ typedef struct dot_object {
   /* Fused over time. */
   double fused_velocity[3];  ///< m/s, this camera's axes
   double fused_covariance[9];
+
+  /* The single fit of this frame, continued. */
+  double angular_velocity[3];  ///< rad/s, previous camera's axes
+  double angular_covariance[9];
+  double point_speed;        ///< m/s, of the object's points, turning included: root of the mean square
+  double point_speed_sigma;  ///< m/s, of the points' velocities: root of the mean trace of their covariances
 } dot_object;
 
 /// The objects that dot_exclusion_mask excludes besides moving ones.
@@ -328,9 +334,10 @@ typedef void (*dot_log_function)(void* user, uint32_t level, const char* text);
   { sizeof(dot_frame), 0, 0, 0, 0, 0, 0, 0, 0 }
 #define DOT_CAMERA_RESULT_INIT \
   { sizeof(dot_camera_result), 0, 0, 0, 0, 0, 0, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, 0 }
-#define DOT_OBJECT_INIT                                                                                              \
-  {                                                                                                                  \
-    sizeof(dot_object), 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}, 0, 0, 0, {0}, {0}, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, {0}, { 0 } \
+#define DOT_OBJECT_INIT                                                                                             \
+  {                                                                                                                 \
+    sizeof(dot_object), 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}, 0, 0, 0, {0}, {0}, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, {0}, {0}, \
+        {0}, {0}, 0, 0                                                                                              \
   }
 #define DOT_EXCLUSION_POLICY_INIT \
   { sizeof(dot_exclusion_policy), DOT_EXCLUDE_NOT_OBSERVABLE, 2, 0 }

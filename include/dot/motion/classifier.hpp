@@ -54,7 +54,7 @@ struct VelocityClassifier {
   };
 
   /// v0 of an object at this range, m/s. Near objects count as moving at lower speeds.
-  double v0(double range) const { return std::max(1e-3, std::min(settings.v0, settings.v0_per_metre * range)); }
+  double v0(double range) const { return settings.v0_at(range); }
 
   Decision operator()(Memory& m, const MotionEstimate* fit, const Matrix3<double>& R_cur_prev, double dt) const;
 };

@@ -11,13 +11,13 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// V dt^2, covariance of the displacement: photometric part + depth errors that the object's points share, propagated
-/// through the fit (constant over the object, linear over it in u and v, and changing between the frames) + the
-/// camera's part. The noise model was learnt from the background. Where the object's measured depth scatters more
-/// about the prediction than the model says, its depth errors are scaled up by that excess.
+/// Covariance of the twist of T_o about the moved centroid: photometric part + depth errors that the object's points
+/// share, propagated through the fit (constant over the object, linear over it in u and v, and changing between the
+/// frames) + the camera's part. The noise model was learnt from the background. Where the object's measured depth
+/// scatters more about the prediction than the model says, its depth errors are scaled up by that excess.
 /// @param moved the centroid after the fit's motion, axes of the reference's camera.
 template <typename Noise>
-Matrix3<double> displacement_covariance(const ReferencePair& pair, const Alignment& a, const Vector3<double>& moved,
+Matrix6<double> displacement_covariance(const ReferencePair& pair, const Alignment& a, const Vector3<double>& moved,
                                         const VelocitySettings& settings, const Noise& noise) {
   constexpr double kSteadySeconds = 0.25;  // up to here depth errors change less than their size
   constexpr double kScatterOfFit = 1.2;    // scatter of depths about a good fit, over one pixel's noise
@@ -32,9 +32,9 @@ Matrix3<double> displacement_covariance(const ReferencePair& pair, const Alignme
   const double common = excess * noise.shared_sigma(q), pixel = excess * noise.pixel_sigma(q);
   const double change =
       pair.seconds > kSteadySeconds ? std::max(common, noise.shared_drift_sigma(q)) : noise.shared_drift_sigma(q);
-  Matrix3<double> V = settings.photometric_scale * a.covariance.topLeftCorner<3, 3>();
+  Matrix6<double> V = settings.photometric_scale * a.covariance.topLeftCorner<6, 6>();
   const auto add = [&](const Vector8& mode, double variance) {
-    const Vector3<double> x = mode.head<3>();
+    const Vector6<double> x = mode.head<6>();
     V += variance * x * x.transpose();
   };
   add(a.depth_modes[0], kConstantMode * common * common +

@@ -139,8 +139,13 @@ struct ObjectMotionEstimator {
     m.span_seconds = dt;
     m.span_frames = std::max(1, pair.camera.intervals);
     m.range = moved.z();
-    m.covariance = displacement_covariance(pair, a, moved, velocity, noise) / (dt * dt) +
-                   Matrix3<double>::Identity() * velocity.floor * velocity.floor;
+    const Matrix6<double> V = displacement_covariance(pair, a, moved, velocity, noise) / (dt * dt);
+    const double floor = velocity.floor_at(m.range);
+    m.covariance = V.topLeftCorner<3, 3>() + Matrix3<double>::Identity() * floor * floor;
+    const Matrix3<double> K = without_prior(out.sigma.bottomRightCorner<3, 3>(), prior, dt);
+    m.angular_velocity = K * so3::log(out.T_o.R) / dt;
+    m.angular_covariance = velocity.rotation_scale * K * V.bottomRightCorner<3, 3>() * K.transpose();
+    m.inertia = inertia(reference.points, reference.centroid);
     m.entropy = entropy(out.sigma);
     const DynamicDisparity d =
         dynamic_disparity(reference.points, problem.camera, T_c, out.T_o, reference.centroid, out.sigma);

@@ -23,6 +23,11 @@ struct ObjectScene {
 /// Information matrix of the prior on the twist of T_o, which has mean zero, over `dt` seconds.
 DOT_INLINE Matrix6<double> prior_information(const MotionPriorSettings& prior, double dt);
 
+/// Takes the prior out of a fitted rotation. The fit gives the mean w of prior and data, with covariance S, which is
+/// near zero and well known if there are hardly any data. The data alone give K w, K = (S^-1 - P)^-1 S^-1, where P is
+/// the information of the prior. A tenth of the prior is left in, so that K is bounded. @param S photometric part.
+DOT_INLINE Matrix3<double> without_prior(const Matrix3<double>& S, const MotionPriorSettings& prior, double dt);
+
 /// The alignment of an object's reference to a frame: T_o with the camera's motion fixed (paper, section 3.3, eq. 4-5).
 template <typename Camera, typename Noise>
 AlignProblem<Camera> object_problem(const ReferencePair& pair, const ObjectScene<Camera>& scene,

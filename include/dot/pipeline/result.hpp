@@ -54,7 +54,11 @@ struct ObjectResult {
   std::array<double, 3> velocity{};             ///< of the centroid, m/s, previous camera's axes
   std::array<double, 9> velocity_covariance{};  ///< includes the errors of camera and depth
   double speed = 0;                             ///< m/s
-  double phi = 0;                               ///< Pearson correlation
+  std::array<double, 3> angular_velocity{};     ///< rad/s, previous camera's axes
+  std::array<double, 9> angular_covariance{};
+  double point_speed = 0;         ///< m/s, of the object's points, turning included: root of the mean square
+  double point_speed_sigma = 0;   ///< m/s, of the points' velocities: root of the mean trace of their covariances
+  double phi = 0;                 ///< Pearson correlation
   double disparity_px = 0;        ///< d_d: median pixel distance between the points moved by T_c and by T_c T_o
   double disparity_noise_px = 0;  ///< RMS over points of sqrt(trace(G Sigma_x G'))
   double entropy = 0;             ///< H of Sigma_x, nats (paper eq. 7)

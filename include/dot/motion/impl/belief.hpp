@@ -28,17 +28,39 @@ DOT_INLINE void Belief::predict(double dt, const Matrix3<double>& R_cur_prev, co
 
 DOT_INLINE void Belief::update(const MotionEstimate& e, double v0, const VelocitySettings& s) {
   const bool has_interval = e.span_seconds > 0 && std::isfinite(e.span_seconds) && e.span_frames > 0;
-  if (!has_interval || !e.velocity.allFinite() || !e.covariance.allFinite()) return;
+  if (!has_interval || !e.velocity.allFinite() || !e.angular_velocity.allFinite() || !e.covariance.allFinite() ||
+      !e.angular_covariance.allFinite() || !e.inertia.allFinite())
+    return;
   Belief after = *this;
   after.weigh(e, v0, s);
   if (std::isfinite(after.log_odds) && after.velocity.allFinite() && after.covariance.allFinite()) *this = after;
 }
 
 DOT_INLINE void Belief::weigh(const MotionEstimate& e, double v0, const VelocitySettings& s) {
+  // Fits over the same time carry the same information. So a fit over `span_seconds` counts only by its frame's share.
+  const double frame = e.span_seconds / e.span_frames;
+  const double share = std::min(1.0, frame / std::sqrt(kIndependentSeconds * e.span_seconds));
+  const double speed2 = sq(std::max(v0, s.prior_speed_at(e.range)));
+  double moves_or_stands = translates_or_stands(e, v0, speed2, s);
+  if (e.inertia.trace() > 0 && s.most_turning > 0) {
+    // What moves translates without turning, turns on the spot, or does both. What stands does not turn.
+    const double turns = std::min(kMost, turns_or_not(e, v0, s) * (0.5 + 0.5 * moves_or_stands));
+    moves_or_stands = (1 - p_turning) * moves_or_stands + p_turning * turns;
+    p_turning = std::clamp(p_turning * std::pow(turns / moves_or_stands, share),
+                           std::min(kLeastTurning, s.most_turning), s.most_turning);
+  }
+  const double cap = std::min(s.max_evidence_rate * frame, s.max_evidence);
+  const double evidence = share * std::log(moves_or_stands);
+  log_odds = std::clamp(log_odds + std::clamp(evidence, -cap, cap), -s.max_log_odds, s.max_log_odds);
+  filter(e, speed2);
+}
+
+/// Bayes factor of a velocity against standing.
+DOT_INLINE double Belief::translates_or_stands(const MotionEstimate& e, double v0, double speed2,
+                                               const VelocitySettings& s) const {
   const Vector3<double>& v = e.velocity;
-  const Matrix3<double>& V = e.covariance;
+  const Matrix3<double> V = e.covariance;
   const Matrix3<double> I = Matrix3<double>::Identity();
-  const double speed2 = sq(s.prior_speed * v0 / s.v0);  // near objects are slow (on tables), far ones are vehicles
   const double outlier = s.outliers * density(v, V + kOutlierVariance * speed2 * I);
 
   const Vector3<double> zero = Vector3<double>::Zero();
@@ -60,15 +82,35 @@ DOT_INLINE void Belief::weigh(const MotionEstimate& e, double v0, const Velocity
   }
   stands = (1 - s.outliers) * stands + outlier;
   moves = (1 - s.outliers) * moves + outlier;
+  return (moves + kTiny) / (stands + kTiny);
+}
 
-  // Fits over the same time carry the same information. So a fit over `span_seconds` counts only by its frame's share.
+/// Bayes factor of an angular velocity against none. It compares the speeds that the turning gives to the points,
+/// J^(1/2) w, because they have the units of v0. They are wrong by errors of the depth, which grow with the square of
+/// the range without an end.
+DOT_INLINE double Belief::turns_or_not(const MotionEstimate& e, double v0, const VelocitySettings& s) {
+  const Matrix3<double> L = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(e.inertia).operatorSqrt();
+  const Vector3<double> u = L * e.angular_velocity;
+  const Matrix3<double> U = L * e.angular_covariance * L;
+  const Matrix3<double> drift =
+      sq(kTurnDrift * s.v0_per_square_metre * e.range * e.range) * Matrix3<double>::Identity();
+  const Matrix3<double> prior = sq(s.prior_turn) * e.inertia;
+  const double outlier = s.outliers * density(u, U + drift + kOutlierVariance * prior);
+  double turns = 0, not_turns = 0;
+  for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, U + drift},
+                                 std::pair<double, Matrix3<double>>{s.tail_share, s.tail_variance * U + drift}}) {
+    not_turns += share * density(u, S);
+    turns += share * hypothesis(u, S, Vector3<double>::Zero(), prior, v0);
+  }
+  return ((1 - s.outliers) * turns + outlier + kTiny) / ((1 - s.outliers) * not_turns + outlier + kTiny);
+}
+
+/// Kalman update of the velocity. The filter is restarted if fits contradict it.
+DOT_INLINE void Belief::filter(const MotionEstimate& e, double speed2) {
+  const Vector3<double>& v = e.velocity;
+  const Matrix3<double> V = e.covariance;
+  const Matrix3<double> I = Matrix3<double>::Identity();
   const double frame = e.span_seconds / e.span_frames;
-  const double share = std::min(1.0, frame / std::sqrt(kIndependentSeconds * e.span_seconds));
-  const double cap = std::min(s.max_evidence_rate * frame, s.max_evidence);
-  const double evidence = share * (std::log(moves + 1e-300) - std::log(stands + 1e-300));
-  log_odds = std::clamp(log_odds + std::clamp(evidence, -cap, cap), -s.max_log_odds, s.max_log_odds);
-
-  // The filter is restarted if fits contradict it.
   const bool agrees =
       has_velocity() && (v - velocity).dot((V + covariance).ldlt().solve(v - velocity)) <= chi2::k5SigmaOf1;
   if (!trust.accept(agrees, frame)) return;

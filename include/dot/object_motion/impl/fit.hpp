@@ -13,8 +13,9 @@ DOT_INLINE ObjectFit ObjectFit::reversed(const SE3d& C) const {
   Matrix6<double> turn = Matrix6<double>::Zero();
   turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = C.R * T_o.R.transpose();
   out.sigma = turn * sigma * turn.transpose();
-  out.motion.velocity = -(C.R * motion.velocity);
-  out.motion.covariance = C.R * motion.covariance * C.R.transpose();
+  out.motion = motion.rotated(C.R);
+  out.motion.velocity = -out.motion.velocity;
+  out.motion.angular_velocity = -out.motion.angular_velocity;
   return out;
 }
 

@@ -63,7 +63,8 @@ void ObjectTracker<Camera, Noise, Aligner>::fit_last_interval(Following& f) cons
     const SE3d T_prev_ref = f.T_c().inverse() * pair.camera.T_now_ref;
     f.step.T_o = T_prev_ref * found.T_o * reference.T_obj_now_ref.inverse();
     f.step.T_o_outline = f.step.T_o;
-    f.step.fit = over_last_interval(found, T_prev_ref, f.interval.camera.seconds, estimator.velocity.acceleration);
+    f.step.fit = over_last_interval(found, T_prev_ref, f.interval.camera.seconds,
+                                    estimator.velocity.acceleration_at(found.motion.range));
     add_evidence(f, pair, found, f.step.fit);
   }
 }
@@ -84,8 +85,7 @@ void ObjectTracker<Camera, Noise, Aligner>::use_known_velocity(Following& f) con
 /// steadily. For an object that has just started they give only its mean motion.
 template <typename Camera, typename Noise, typename Aligner>
 void ObjectTracker<Camera, Noise, Aligner>::fit_older(Following& f) const {
-  const double seconds = f.interval.camera.seconds, floor = estimator.velocity.floor;
-  const double acceleration = estimator.velocity.acceleration;
+  const double seconds = f.interval.camera.seconds;
   const int count = static_cast<int>(f.motion.references.size());
   int last = 0;
   for (int i = 0; i < kOlder; ++i) {
@@ -94,6 +94,8 @@ void ObjectTracker<Camera, Noise, Aligner>::fit_older(Following& f) const {
     last = k;
     const ObjectReference& older = f.motion.references[static_cast<std::size_t>(k)];
     const double age = f.interval.cur.timestamp - older.timestamp;
+    const double floor = estimator.velocity.floor_at(older.centroid.z());
+    const double acceleration = estimator.velocity.acceleration_at(older.centroid.z());
     const double least = kWorthwhile * (variance_of_change(age, seconds, acceleration) + floor * floor);
     if (f.step.has_evidence && least >= f.evidence_variance) continue;  // it cannot be more precise
     const ReferencePair pair = pair_with_current(f, older);
@@ -120,9 +122,7 @@ void ObjectTracker<Camera, Noise, Aligner>::add_evidence(Following& f, const Ref
   const double variance = last.motion.covariance.trace();
   if (found.phi < estimator.settings.min_phi || (f.step.has_evidence && variance >= f.evidence_variance)) return;
   const Matrix3<double> R_prev_ref = f.T_c().R.transpose() * pair.camera.T_now_ref.R;
-  f.step.evidence = found.motion;
-  f.step.evidence.velocity = R_prev_ref * found.motion.velocity;
-  f.step.evidence.covariance = R_prev_ref * found.motion.covariance * R_prev_ref.transpose();
+  f.step.evidence = found.motion.rotated(R_prev_ref);
   f.step.has_evidence = true;
   f.evidence_variance = variance;
 }

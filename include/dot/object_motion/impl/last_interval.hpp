@@ -19,9 +19,8 @@ DOT_INLINE ObjectFit over_last_interval(const ObjectFit& fit, const SE3d& T_prev
   Matrix6<double> turn = Matrix6<double>::Zero();
   turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = share * R;
   out.sigma = turn * fit.sigma * turn.transpose();
-  out.motion.velocity = R * fit.motion.velocity;
-  out.motion.covariance = R * fit.motion.covariance * R.transpose() +
-                          Matrix3<double>::Identity() * variance_of_change(span, dt, acceleration);
+  out.motion = fit.motion.rotated(R);
+  out.motion.covariance.diagonal().array() += variance_of_change(span, dt, acceleration);
   return out;
 }
 

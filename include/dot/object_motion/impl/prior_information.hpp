@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include <Eigen/LU>
+
 /// @file
 /// Definitions of object_motion/problem.hpp, which includes this file.
 
@@ -21,6 +23,12 @@ DOT_INLINE Matrix6<double> prior_information(const MotionPriorSettings& prior, d
     P.bottomRightCorner<3, 3>() += kStiffness * r * (Matrix3<double>::Identity() - vertical);
   }
   return P;
+}
+
+DOT_INLINE Matrix3<double> without_prior(const Matrix3<double>& S, const MotionPriorSettings& prior, double dt) {
+  constexpr double kTakenOut = 0.9;
+  const Matrix3<double> P = prior_information(prior, dt).bottomRightCorner<3, 3>();
+  return (Matrix3<double>::Identity() - kTakenOut * S * P).inverse();
 }
 
 DOT_END_NAMESPACE

@@ -63,6 +63,10 @@ inline ObjectResult result_of(const Track& t) {
   copy(fit.sigma, out.covariance);
   copy(fit.motion.velocity, out.velocity);
   copy(fit.motion.covariance, out.velocity_covariance);
+  copy(fit.motion.angular_velocity, out.angular_velocity);
+  copy(fit.motion.angular_covariance, out.angular_covariance);
+  out.point_speed = fit.motion.point_speed();
+  out.point_speed_sigma = fit.motion.point_speed_sigma();
   out.speed = fit.motion.velocity.norm();
   out.disparity_px = fit.motion.disparity_px;
   out.disparity_noise_px = fit.motion.disparity_noise_px;

@@ -71,9 +71,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::align_backwards(Track& t, const
   ObjectStep& step = t.motion.step;
   if (step.has_evidence) return;  // an older frame gave evidence already
   // The belief was already predicted to this frame, so the evidence is given in this frame's axes.
-  step.evidence = fit->motion;
-  step.evidence.velocity = T_c.R * step.evidence.velocity;
-  step.evidence.covariance = T_c.R * step.evidence.covariance * T_c.R.transpose();
+  step.evidence = fit->motion.rotated(T_c.R);
   step.has_evidence = fit->phi >= setup.estimator.settings.min_phi;
   decide(t, interval.cur, Matrix3<double>::Identity(), interval.camera.seconds, 0, discovery, setup);
 }

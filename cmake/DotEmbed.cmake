@@ -31,7 +31,7 @@ endforeach()
 # As numbers, because compilers limit the length of a string literal.
 string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
 string(REGEX MATCH "^(.*)::(.*)$" matched "${NAME}")
-# The files are ASCII: a byte beyond it does not fit a char, and does not compile.
+# The files are ASCII: a byte beyond it does not compile where char is signed.
 file(
   WRITE "${OUTPUT}"
   "#include <string_view>\n\nnamespace ${CMAKE_MATCH_1} {\n"

@@ -33,6 +33,9 @@ inline constexpr std::array<std::uint32_t, 3> published_sizes<dot_camera_result>
 template <>
 inline constexpr std::array<std::uint32_t, 2> published_sizes<dot_frame>{offsetof(dot_frame, camera_prior),
                                                                          sizeof(dot_frame)};
+template <>
+inline constexpr std::array<std::uint32_t, 2> published_sizes<dot_object>{offsetof(dot_object, angular_velocity),
+                                                                          sizeof(dot_object)};
 
 template <typename T>
 void check_size(std::uint32_t size, const FieldName& name) {

@@ -55,6 +55,8 @@ std::vector<int> parse_delays(const std::string& option, const std::string& valu
   for (const std::string& piece : runner::split(value, ','))
     delays.push_back(runner::whole_number(option, piece, 0, most));
   if (delays.empty()) throw UsageError(option + " needs whole numbers of milliseconds");
+  std::sort(delays.begin(), delays.end());
+  delays.erase(std::unique(delays.begin(), delays.end()), delays.end());
   return delays;
 }
 
@@ -70,7 +72,8 @@ void check(const Arguments& a) {
     throw UsageError("--camera belongs to one sequence, and " + std::to_string(a.sequences.size()) + " are given");
   const bool starts = a.starts > 0, delays = !a.network_delays.empty();
   if (a.drop_largest > 0 && !starts) throw UsageError("--drop-largest needs --starts");
-  if (!a.plot.empty() && !delays) throw UsageError("--plot needs --network-delay");
+  if (!a.plot.empty() && a.network_delays.size() < 2)
+    throw UsageError("--plot needs --network-delay with two delays or more");
   if (!starts && !delays) return;
   const std::string instead = starts ? "--starts" : "--network-delay";
   if (a.rates.size() > 1) throw UsageError(instead + " takes one rate");

@@ -24,8 +24,9 @@ struct Arguments {
   int starts = 0;        ///< start a tracker at every so many frames, see starts.hpp; 0: evaluate whole sequences
   int start_frames = 8;  ///< frames after each start
   int drop_largest = 0;  ///< frames after each start in which the largest mover has no mask
-  std::vector<int> network_delays;  ///< ms that a network takes for a frame, see network_delay.hpp; empty: no delay
-  std::filesystem::path plot;       ///< of the delays; empty: none
+  std::vector<int>
+      network_delays;  ///< ms that a network takes for a frame, ascending, see network_delay.hpp; empty: no delay
+  std::filesystem::path plot;  ///< of the delays; empty: none
   ObjectScoring scoring;
   bool help = false;
 };

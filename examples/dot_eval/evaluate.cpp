@@ -102,8 +102,9 @@ void run(const Arguments& arguments, const std::filesystem::path& folder, const 
     const runner::FrameTruth truth = sequence.truth(i);
     if (hidden) hidden->remove(frame, truth.instance);
 
+    const dot::Frame now = delayed ? delayed->next(read) : frame.frame();
     const auto start = std::chrono::steady_clock::now();
-    const dot::Result& result = tracker.track(delayed ? delayed->next(read) : frame.frame());
+    const dot::Result& result = tracker.track(now);
     const std::chrono::duration<double, std::milli> total = std::chrono::steady_clock::now() - start;
 
     if (writer) writer->write(frame, result, total.count());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "chart.hpp"
 #include "statistics.hpp"
@@ -11,10 +12,6 @@
 
 namespace eval {
 namespace {
-
-std::string padded(const std::string& text, std::size_t width) {
-  return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
-}
 
 double f1(const DelayScore& s) { return s.pooled.confusion.f1(); }
 double mask_iou(const DelayScore& s) { return s.pooled.mask_iou; }
@@ -49,20 +46,22 @@ std::vector<DelayScore> pool_delays(const Arguments& arguments, const std::vecto
 }
 
 std::string delay_table(const std::vector<RunScore>& runs, const std::vector<DelayScore>& scores) {
-  std::string text =
-      "network: ms for a frame; used: segmentations, of the frames; latency: ms from frame to masks\n"
-      "    network     used  too late   latency    F1  prec  recall  decided  st>mov   IoU\n";
+  Table table({"network", "used", "too late", "latency", "F1", "prec", "recall", "decided", "st>mov", "IoU"});
+  const auto share = [](double value) { return number("%.3f", value); };
   for (const DelayScore& s : scores) {
     const Confusion& c = s.pooled.confusion;
-    const bool late = s.network_seconds.has_value();
-    const auto share = [](double value) { return number("%.3f", value); };
-    text += padded(late ? number("%.0f", *s.network_seconds * 1000) : "with frame", 11) +
-            padded(late ? std::to_string(s.mask_latency.size()) + "/" + std::to_string(s.frames) : "-", 9) +
-            padded(late ? std::to_string(s.refused) : "-", 10) +
-            padded(late ? number("%.0f", 1000 * median(s.mask_latency)) : "-", 10) + padded(share(c.f1()), 6) +
-            padded(share(c.precision()), 6) + padded(share(c.recall()), 8) + padded(share(c.decided_share()), 9) +
-            padded(share(c.static_moving_share()), 8) + padded(share(s.pooled.mask_iou), 6) + "\n";
+    std::vector<std::string> row{"with frame", "-", "-", "-"};
+    if (s.network_seconds)
+      row = {number("%.0f", *s.network_seconds * 1000),
+             std::to_string(s.mask_latency.size()) + "/" + std::to_string(s.frames), std::to_string(s.refused),
+             number("%.0f", 1000 * median(s.mask_latency))};
+    for (const double value :
+         {c.f1(), c.precision(), c.recall(), c.decided_share(), c.static_moving_share(), s.pooled.mask_iou})
+      row.push_back(share(value));
+    table.add(std::move(row));
   }
+  std::string text =
+      "network: ms for a frame; used: segmentations, of the frames; latency: ms from frame to masks\n" + table.text();
   for (const RunScore& run : runs)
     if (!run.error.empty()) text += run.name + " FAILED: " + run.error + "\n";
   return text;

@@ -10,35 +10,6 @@
 namespace eval {
 namespace {
 
-/// Columns of cells, each as wide as its widest; the first is left-aligned.
-class Table {
- public:
-  explicit Table(std::vector<std::string> header) { rows_.push_back(std::move(header)); }
-
-  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-
-  std::string text() const {
-    std::vector<std::size_t> widths;
-    for (const std::vector<std::string>& row : rows_) {
-      if (row.size() < rows_[0].size()) continue;  // a remark
-      widths.resize(row.size());
-      for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-    }
-    std::string text;
-    for (const std::vector<std::string>& row : rows_) {
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        const std::string padding(widths[i] > row[i].size() ? widths[i] - row[i].size() : 0, ' ');
-        text += (i > 0 ? "  " : "") + (i == 0 ? row[i] + padding : padding + row[i]);
-      }
-      text += '\n';
-    }
-    return text;
-  }
-
- private:
-  std::vector<std::vector<std::string>> rows_;
-};
-
 std::string share(double value) { return number("%.3f", value); }
 
 std::string rate(int every) { return "1/" + std::to_string(every); }
@@ -142,6 +113,24 @@ std::string latency_lines(const std::vector<RunScore>& runs) {
 }
 
 }  // namespace
+
+std::string Table::text() const {
+  std::vector<std::size_t> widths;
+  for (const std::vector<std::string>& row : rows_) {
+    if (row.size() < rows_[0].size()) continue;  // a remark
+    widths.resize(row.size());
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const std::vector<std::string>& row : rows_) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string padding(widths[i] > row[i].size() ? widths[i] - row[i].size() : 0, ' ');
+      text += (i > 0 ? "  " : "") + (i == 0 ? row[i] + padding : padding + row[i]);
+    }
+    text += '\n';
+  }
+  return text;
+}
 
 std::string number(const char* pattern, double value) {
   if (!std::isfinite(value)) return "-";

@@ -83,18 +83,26 @@ T one_of(const std::string& option, const std::string& value, std::initializer_l
   throw UsageError(option + " must be one of " + list + ", not '" + value + "'");
 }
 
-double positive(const std::string& option, const std::string& value, double most) {
+double positive(const std::string& option, const std::string& value, int most) {
   const std::optional<double> number = parse_number(value);
   if (!number || !(*number > 0 && *number <= most))
-    throw UsageError(option + " needs a number over 0, not '" + value + "'");
+    throw UsageError(option + " needs a number over 0 and at most " + std::to_string(most) + ", not '" + value + "'");
   return *number;
 }
 
 cv::Size input_size(const std::string& option, const std::string& value) {
-  const std::size_t x = value.find('x');
-  if (x == std::string::npos) throw UsageError(option + " needs WxH, as 640x384, not '" + value + "'");
   constexpr int most = 16384;
-  return {whole_number(option, value.substr(0, x), 1, most), whole_number(option, value.substr(x + 1), 1, most)};
+  const auto length = [](const std::string& text) {
+    const std::optional<double> number = parse_number(text);
+    return number ? to_whole(*number, 1, most) : std::nullopt;
+  };
+  const std::size_t x = value.find('x');
+  std::optional<int> width, height;
+  if (x != std::string::npos) width = length(value.substr(0, x)), height = length(value.substr(x + 1));
+  if (!width || !height)
+    throw UsageError(option + " needs WxH, as 640x384, each from 1 to " + std::to_string(most) + ", not '" + value +
+                     "'");
+  return {*width, *height};
 }
 
 void add_network_options(CommandLine& line, Arguments& a, std::string& needs_network) {
@@ -123,7 +131,7 @@ void add_network_options(CommandLine& line, Arguments& a, std::string& needs_net
   line.option("--network-delay",
               [&](auto& name, auto& value) { a.network_seconds = whole_number(name, value, 0, 60000) / 1000.0; });
   line.optional_number("--real-time", [&](auto& name, auto& value) {
-    constexpr double most = 1000;
+    constexpr int most = 1000;
     a.real_time = true;
     if (!value.empty()) a.fps = positive(name, value, most);
   });

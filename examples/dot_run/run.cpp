@@ -70,8 +70,9 @@ std::string run_delayed(const real_time::LateNetwork& network, Sequence& sequenc
   real_time::DelayedMasks delayed(network, tracker);
   for (int i = 0; i < sequence.size() && !stop; ++i) {
     const auto frame = std::make_shared<const SequenceFrame>(sequence.read(i));
+    const dot::Frame now = delayed.next(frame);  // runs the network, whose time is not the tracker's
     const auto start = std::chrono::steady_clock::now();
-    const dot::Result& result = tracker.track(delayed.next(frame));
+    const dot::Result& result = tracker.track(now);
     outputs.add(*frame, result, milliseconds_since(start));
   }
   return delayed.report().text();
@@ -118,8 +119,9 @@ bool run(const Arguments& arguments, std::atomic<bool>& stop) {
     remarks = run_delayed(late_network(arguments, network), sequence, tracker, stop, outputs);
   else
     remarks = run_in_order(arguments, network, sequence, tracker, stop, outputs);
-  outputs.finish(!stop, remarks);
-  return !stop;
+  const bool complete = !stop;
+  outputs.finish(complete, remarks);
+  return complete;
 }
 
 }  // namespace runner

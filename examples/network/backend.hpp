@@ -21,12 +21,7 @@ class Backend {
   virtual std::vector<Tensor> run(const Tensor& input) = 0;
 };
 
-enum class BackendKind {
-  OpenCv,       ///< its dnn module
-  OnnxRuntime,  ///< where CMake has found it
-};
-
-/// Whether the program was built with it.
+/// Whether the program was built with ONNX Runtime.
 bool has_onnx_runtime();
 
 /// @param file what read_onnx says of `path`.

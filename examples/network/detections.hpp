@@ -22,7 +22,7 @@ struct Detection {
 struct Threshold {
   float score = 0.25F;
   float overlap = 0.45F;  ///< IoU above which the less sure of two boxes of a class goes
-  int most = 300;         ///< instances
+  int most = 300;         ///< instances that are left then; the surest count
 };
 
 /// A map of numbers that covers the image or a part of it, coarser or finer than its pixels. Cell i covers i to i + 1.

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/dnn.hpp>
 #include <opencv2/imgproc.hpp>
-#include <utility>
 
 namespace network {
 namespace {
@@ -55,19 +55,9 @@ Tensor make_input(const cv::Mat& image, const Placement& placement, const InputF
   cv::Mat part = canvas(inner);
   cv::resize(to_bgr(image), part, inner.size(), 0, 0, cv::INTER_LINEAR);
 
-  Tensor input{"", {1, 3, canvas.rows, canvas.cols}, {}};
-  input.values.resize(count_of(input.shape));
-  cv::Mat planes[3];
-  for (int c = 0; c < 3; ++c)
-    planes[c] =
-        cv::Mat(canvas.rows, canvas.cols, CV_32F, input.values.data() + static_cast<std::size_t>(c) * canvas.total());
-  if (form.rgb) std::swap(planes[0], planes[2]);
-  for (int c = 0; c < 3; ++c) {
-    cv::Mat channel;
-    cv::extractChannel(canvas, channel, c);
-    channel.convertTo(planes[c], CV_32F, form.scale);
-  }
-  return input;
+  const cv::Mat blob = cv::dnn::blobFromImage(canvas, form.scale, {}, {}, form.rgb);
+  const auto* first = blob.ptr<float>();
+  return {"", {1, 3, canvas.rows, canvas.cols}, {first, first + blob.total()}};
 }
 
 }  // namespace network

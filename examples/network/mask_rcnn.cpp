@@ -71,7 +71,8 @@ std::vector<Detection> decode_mask_rcnn(const std::vector<Tensor>& outputs, Mask
   std::vector<Detection> detections;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     const float* b = &boxes.values[4 * i];
-    if (!(scores.values[i] > threshold.score) || !(b[2] > b[0]) || !(b[3] > b[1])) continue;
+    const bool is_finite = std::all_of(b, b + 4, [](float edge) { return std::isfinite(edge); });
+    if (!(scores.values[i] > threshold.score) || !is_finite || b[2] <= b[0] || b[3] <= b[1]) continue;
     const cv::Rect2d box((b[0] - placement.offset_x) / placement.scale_x,
                          (b[1] - placement.offset_y) / placement.scale_y, (b[2] - b[0]) / placement.scale_x,
                          (b[3] - b[1]) / placement.scale_y);

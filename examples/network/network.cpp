@@ -95,6 +95,8 @@ class LoadedNetwork {
   void read_class_list(const NetworkOptions& options) {
     if (format_ == Format::Ids) {
       if (!options.classes.empty()) throw runner::UsageError("--network-classes: an image of ids has no classes");
+      if (!options.always_dynamic.empty()) throw runner::UsageError("--always-dynamic: an image of ids has no classes");
+      if (options.score) throw runner::UsageError("--network-score: an image of ids has no scores");
       return;
     }
     const bool categories = format_ == Format::MaskRcnn && kind_ == MaskRcnnKind::Torchvision;

@@ -22,7 +22,7 @@ class OpenCvBackend : public Backend {
  public:
   OpenCvBackend(const std::filesystem::path& path, const OnnxFile& file) {
     if (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR < 7 && !file.rows.empty())
-      throw NetworkError("OpenCV " CV_VERSION " computes wrongly with the constant '" + file.rows[0] +
+      throw NetworkError("OpenCV " CV_VERSION " may compute wrongly with the constant '" + file.rows[0] +
                          "' of one row; examples/network/expand_constants.py mends the file, see docs/network.md");
     try {
       net_ = cv::dnn::readNetFromONNX(path.string());

@@ -102,8 +102,9 @@ std::vector<Detection> decode_yolo_seg(const std::vector<Tensor>& outputs, int c
     index.push_back(i);
   }
 
-  std::vector<int> kept;
-  cv::dnn::NMSBoxes(apart, scores, threshold.score, threshold.overlap, kept, 1, threshold.most);
+  std::vector<int> kept;  // the surest first
+  cv::dnn::NMSBoxes(apart, scores, threshold.score, threshold.overlap, kept);
+  kept.resize(std::min(kept.size(), static_cast<std::size_t>(threshold.most)));
   std::vector<Detection> detections;
   for (const int k : kept) {
     const auto i = static_cast<std::size_t>(k);

@@ -6,15 +6,23 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
+
+#include "run/turning.hpp"
+#include "sequence/text.hpp"
 
 namespace player {
 namespace {
 
-std::string format(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
+using runner::format;
+
+/// Near things move at centimetres per second.
+constexpr double slow = 0.1;  // m/s
+
+std::string in_metres_per_second(double speed) { return format(speed < slow ? "%.3f m/s" : "%.2f m/s", speed); }
+
+std::string with_sigma(double speed, double sigma) {
+  const bool fine = std::min(speed, sigma) < slow;
+  return format(fine ? "%.3f m/s" : "%.2f m/s", speed) + format(fine ? " (sigma %.3f)" : " (sigma %.2f)", sigma);
 }
 
 /// A threshold.
@@ -25,12 +33,15 @@ const char* name_of(dot::State state) {
 }
 
 std::string measured(const dot::ObjectResult& object, const dot::Options& options) {
-  std::string text = "Measured " + format("%.2f m/s", object.speed) +
-                     format(" (sigma %.2f)", sigma_of_length(object.velocity, object.velocity_covariance)) +
+  std::string text = "Measured " +
+                     with_sigma(object.speed, sigma_of_length(object.velocity, object.velocity_covariance)) +
                      format(" at %.1f m", object.range);
-  if (options.classifier == dot::ClassifierKind::Velocity)
-    return text + "; faster than " + format("%.2f m/s", speed_limit(options.velocity, object.range)) +
-           " counts as moving. ";
+  if (options.classifier == dot::ClassifierKind::Velocity) {
+    const runner::Turning turning = runner::turning_of(object);
+    if (options.velocity.most_turning > 0 && turning.sigma > 0)
+      text += "; turning moves its points by " + with_sigma(turning.speed, turning.sigma);
+    return text + "; faster than " + in_metres_per_second(options.velocity.v0_at(object.range)) + " counts as moving. ";
+  }
   const dot::EntropySettings& s = options.entropy;
   text += "; its points move by " + format("%.1f px", object.disparity_px) + ", the limit is " +
           format("%.1f px", std::max(s.min_disparity, s.noise_factor * object.disparity_noise_px)) +
@@ -60,11 +71,12 @@ std::string believed(const dot::ObjectResult& object, const dot::VelocitySetting
 
 /// What keeps an undecided object undecided although it was measured.
 std::string weak_evidence(const dot::ObjectResult& object, const dot::VelocitySettings& s) {
-  const double limit = speed_limit(s, object.range);
+  const double limit = s.v0_at(object.range);
   const double sigma = sigma_of_length(object.velocity, object.velocity_covariance);
-  const bool fast = object.speed - 2 * sigma > limit, slow = object.speed + 2 * sigma < limit;
-  if (fast || slow)
-    return std::string(" This frame alone speaks for ") + (fast ? "moving" : "static") +
+  const bool turns = s.most_turning > 0 && runner::turning_of(object).exceeds(limit);
+  const bool moves = turns || object.speed - 2 * sigma > limit;
+  if (moves || object.speed + 2 * sigma < limit)
+    return std::string(" This frame alone speaks for ") + (moves ? "moving" : "static") +
            ", but a single measurement may be wrong: more are needed.";
   return " With this sigma the speed may be on either side of the limit: the measurement tells little.";
 }
@@ -134,7 +146,5 @@ double sigma_of_length(const std::array<double, 3>& v, const std::array<double, 
   if (squared <= 0) return std::sqrt(std::max({covariance[0], covariance[4], covariance[8]}));
   return std::sqrt(std::max(0.0, variance / squared));
 }
-
-double speed_limit(const dot::VelocitySettings& settings, double range) { return settings.v0_at(range); }
 
 }  // namespace player

@@ -22,7 +22,4 @@ std::string explanation(const dot::ObjectResult& object, const dot::Options& opt
 /// Standard deviation of the length of `v`, same unit: that of its component along `v`.
 double sigma_of_length(const std::array<double, 3>& v, const std::array<double, 9>& covariance);
 
-/// Speed above which an object at this range counts as moving, m/s (VelocitySettings).
-double speed_limit(const dot::VelocitySettings& settings, double range);
-
 }  // namespace player

@@ -7,6 +7,7 @@
 
 #include "dot/image/opencv.hpp"
 #include "explanation.hpp"
+#include "run/turning.hpp"
 
 namespace player {
 namespace {
@@ -56,8 +57,11 @@ Json camera_data(const dot::Result& result) {
 void set_measurement(Json& json, const dot::ObjectResult& object, const dot::Options& options) {
   set_finite(json, "speed", object.speed, 3);
   set_finite(json, "sigma", sigma_of_length(object.velocity, object.velocity_covariance), 3);
+  set_finite(json, "pointSpeed", object.point_speed, 3);
+  set_finite(json, "pointSigma", object.point_speed_sigma, 3);
+  if (runner::mostly_turns(object)) json.set("turning", true);
   if (options.classifier == dot::ClassifierKind::Velocity)
-    set_finite(json, "limit", speed_limit(options.velocity, object.range), 3);
+    set_finite(json, "limit", options.velocity.v0_at(object.range), 3);
   set_finite(json, "phi", object.phi, 3);
   set_finite(json, "range", object.range, 2);
   json.set("points", object.n_points);

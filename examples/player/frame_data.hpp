@@ -30,11 +30,13 @@ struct FrameDrawing {
 ///                   "class": 2, "score": 0.9, "segmented": true, "always": true, "discovered": true, "area": 2000,
 ///                   "box": [x, y, width, height], "decided": "moving",
 ///                   "speed": 8.1, "sigma": 0.4, "limit": 0.5, "phi": 0.95, "range": 23.1, "points": 280,
-///                   "inliers": 250, "fused": 8.0, "fusedSigma": 0.2,
+///                   "inliers": 250, "pointSpeed": 8.2, "pointSigma": 0.6, "turning": true,
+///                   "fused": 8.0, "fusedSigma": 0.2,
 ///                   "outline": [[x, y, x, y, ...], ...], "predicted": [...], "texture": [x, y, ...]}, ...],
 ///      "network": [[[x, y, ...], ...], ...], "texture": [x, y, ...]}
 ///
-/// `always` and `discovered` are only there if true, `network` (an outline for each instance) if the frame has masks.
+/// `always`, `discovered` and `turning` (by which the points move faster than with the centroid) are only there if
+/// true, `network` (an outline for each instance) if the frame has masks.
 /// @param total_ms time of `track`.
 page::Json frame_data(const runner::SequenceFrame& frame, const dot::Result& result, double total_ms,
                       const FrameDrawing& drawing, const dot::Options& options);

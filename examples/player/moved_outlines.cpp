@@ -10,6 +10,7 @@
 
 #include "dot/image/opencv.hpp"
 #include "dot/lie/se3.hpp"
+#include "dot/statistics/median.hpp"
 
 namespace player {
 namespace {
@@ -35,9 +36,7 @@ float median_depth(const cv::Mat& depth, const cv::Mat& inside) {
     for (int x = 0; x < depth.cols; ++x)
       if (inside.at<std::uint8_t>(y, x) != 0 && depth.at<float>(y, x) > 0) values.push_back(depth.at<float>(y, x));
   if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return dot::median(values.begin(), values.end());
 }
 
 /// The pixels whose centres lie in a square; at least one for size >= 1. @param size pixels.
@@ -56,7 +55,11 @@ std::map<std::uint32_t, Outlines> MovedOutlines::next(const runner::SequenceFram
       if (const dot::ObjectResult* object = result.find(id)) outlines[id] = moved(*object, box, result);
   }
   ids_ = dot::to_mat(result.ids).clone();
-  boxes_ = boxes_of(ids_);
+  boxes_.clear();
+  for (const dot::ObjectResult& object : result.objects) {
+    const auto& [x, y, width, height] = object.box;
+    if (object.area > 0) boxes_[object.id] = cv::Rect(x, y, width, height);
+  }
   const double scale = frame.depth.type() == CV_16UC1 ? 1 / frame.depth_units_per_metre : 1;
   frame.depth.convertTo(depth_, CV_32F, scale);
   return outlines;

@@ -42,8 +42,9 @@
       const halfWidth = (text) => 0.3 * size * text.length;
       const isFree = (text) => taken.every((other) =>
         Math.abs(other.y - y) > size || Math.abs(other.x - x) > halfWidth(text) + halfWidth(other.text));
-      const withSpeed = `#${object.id} ${(object.speed || 0).toFixed(1)} m/s`;
-      const measured = object.state === "moving" && object.speed !== undefined;
+      const { speed } = run.speedOf(object);
+      const withSpeed = `#${object.id} ${run.number(speed || 0, 1)} m/s`;
+      const measured = object.state === "moving" && speed !== undefined;
       const text = measured && isFree(withSpeed) ? withSpeed : `#${object.id}`;
       taken.push({ x, y, text });
       overlay.append(make.svg("text", { x, y, "font-size": size }, text));

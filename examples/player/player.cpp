@@ -29,12 +29,16 @@ using page::Json;
 std::vector<std::uint8_t> jpeg_of(const cv::Mat& image) {
   constexpr int widest = 1280;  // pixels
   constexpr int quality = 82;
-  cv::Mat small, picture = image;
+  cv::Mat picture = image;
   if (image.channels() == 4) cv::cvtColor(image, picture, cv::COLOR_BGRA2BGR);
   const double scale = std::min(1.0, static_cast<double>(widest) / picture.cols);
-  cv::resize(picture, small, {}, scale, scale, cv::INTER_AREA);
+  if (scale < 1) {
+    cv::Mat small;
+    cv::resize(picture, small, {}, scale, scale, cv::INTER_AREA);
+    picture = small;
+  }
   std::vector<std::uint8_t> jpeg;
-  cv::imencode(".jpg", small, jpeg, {cv::IMWRITE_JPEG_QUALITY, quality});
+  cv::imencode(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, quality});
   return jpeg;
 }
 

@@ -63,15 +63,17 @@
     const each = (value) => run.frames.map((_, i) => (track.at[i] ? value(track.at[i]) : undefined));
     const figure = (name) => each((object) => object[name]);
     const largest = (values) => Math.max(0, ...values.filter((value) => value !== undefined));
-    const speed = figure("speed"), range = figure("range");
+    const speed = figure("speed"), points = figure("pointSpeed"), range = figure("range");
     const levels = run.decide === undefined ? []
       : [{ value: run.decide, class: "moving" }, { value: 1 - run.decide, class: "static" }];
     return [
-      plot({ name: "speed", title: "speed, m/s: measured with its sigma (blue), fused over time (teal), limit (dashed)",
+      plot({ name: "speed",
+        title: "speed, m/s: measured with its sigma (blue), of its points, turning included (magenta), " +
+          "fused over time (teal), limit (dashed)",
         // A wild sigma does not flatten the rest.
-        ceiling: roundUp(Math.max(1, 1.1 * largest(speed.concat(figure("limit"))))),
-        series: [{ class: "limit", values: figure("limit") }, { class: "fused", values: figure("fused") },
-          { class: "", values: speed }],
+        ceiling: roundUp(Math.max(0.05, 1.1 * largest(speed.concat(points, figure("limit"))))),
+        series: [{ class: "limit", values: figure("limit") }, { class: "points", values: points },
+          { class: "fused", values: figure("fused") }, { class: "", values: speed }],
         band: each((o) => (o.speed === undefined ? undefined : [o.speed - o.sigma, o.speed + o.sigma])) }),
       plot({ name: "p", title: "P(moving): above the upper line moving, below the lower one static", ceiling: 1,
         series: [{ class: "", values: figure("p") }], levels }),

@@ -54,6 +54,10 @@ const run = (() => {
     intervals,
     inWords,
     className: (object) => data.classNames[object.class] || object.class,
+    // What to show of a measured object: its centroid's speed, or its points' where turning moves them faster.
+    speedOf: (object) => object.turning ? { speed: object.pointSpeed, sigma: object.pointSigma } : object,
+    // Near things move at centimetres per second.
+    number: (value, decimals) => value.toFixed(value < 0.1 ? 3 : decimals),
     stateName: (object) => stateNames[object.state] || object.state,
   };
 })();

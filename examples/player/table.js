@@ -11,7 +11,7 @@
   container.append(make.html("table", {},
     make.html("thead", {}, make.html("tr", {}, ...head.map((name) => make.html("th", {}, name)))), body));
 
-  const number = (value) => (value === undefined ? "" : value.toFixed(value < 10 ? 2 : 1));
+  const number = (value) => (value === undefined ? "" : run.number(value, value < 10 ? 2 : 1));
 
   const rows = run.tracks.map((track) => {
     const cells = head.map(() => make.html("td"));
@@ -33,8 +33,9 @@
     cells[2].className = object ? object.state : "";
     cells[2].textContent = object ? run.stateName(object) : "";
     cells[3].textContent = number(object && object.p);
-    cells[4].textContent = number(object && object.speed);
-    cells[5].textContent = number(object && object.sigma);
+    const { speed, sigma } = object ? run.speedOf(object) : {};
+    cells[4].textContent = number(speed);
+    cells[5].textContent = number(sigma);
     cells[6].textContent = number(object && object.range);
     cells[7].textContent = object ? object.words : "not in this frame";
   }

@@ -29,6 +29,7 @@ fs::path unfinished_name(const fs::path& path) {
 
 /// Encoders of H.264 and MPEG-4 want even sizes.
 cv::Mat even(const cv::Mat& picture) {
+  if (picture.rows % 2 == 0 && picture.cols % 2 == 0) return picture;
   cv::Mat padded;
   cv::copyMakeBorder(picture, padded, 0, picture.rows % 2, 0, picture.cols % 2, cv::BORDER_REPLICATE);
   return padded;
@@ -48,7 +49,7 @@ struct VideoFile::Impl {
 
 VideoFile::VideoFile(fs::path path, double fps) : impl_(std::make_unique<Impl>(Impl{std::move(path), fps, {}})) {
   std::error_code error;
-  if (!std::ofstream(impl_->unfinished()) || fs::is_directory(impl_->path, error))
+  if (fs::is_directory(impl_->path, error) || !std::ofstream(impl_->unfinished()))
     throw runner::FileError(impl_->path.string() + ": cannot be written");
 }
 

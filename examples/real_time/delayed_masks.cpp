@@ -28,7 +28,6 @@ Report DelayedMasks::report() const {
   report.skipped = simulated_.skipped();
   report.refused = feed_.refused();
   report.mask_latency = feed_.latencies();
-  report.unfinished = offered_ - report.skipped - report.refused - static_cast<int>(report.mask_latency.size());
   return report;
 }
 

@@ -54,6 +54,11 @@ std::optional<Inbox::Item> Inbox::take() {
   return item;
 }
 
+void Inbox::check() const {
+  const std::lock_guard lock(mutex_);
+  if (error_) std::rethrow_exception(error_);
+}
+
 int Inbox::dropped() const {
   const std::lock_guard lock(mutex_);
   return dropped_;

@@ -38,6 +38,9 @@ class Inbox {
   /// @throws the exception given to `fail`.
   std::optional<Item> take();
 
+  /// @throws the exception given to `fail`, if there is one.
+  void check() const;
+
   int dropped() const;
 
  private:

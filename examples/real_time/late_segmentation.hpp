@@ -17,7 +17,7 @@ using FrameSegmenter = std::function<runner::Segmentation(const runner::Sequence
 
 /// A network whose masks come late.
 struct LateNetwork {
-  FrameSegmenter segment;                                         ///< empty: there is none
+  FrameSegmenter segment;
   std::function<bool(const runner::SequenceFrame& frame)> takes;  ///< whether it is to see this frame
   double seconds = 0;                                             ///< that it takes for a frame, at least
 };

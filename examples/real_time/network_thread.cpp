@@ -10,13 +10,13 @@ namespace real_time {
 NetworkThread::NetworkThread(FrameSegmenter segment, double seconds, Clock& clock, Inbox& inbox)
     : segment_(std::move(segment)), seconds_(seconds), clock_(clock), inbox_(inbox), thread_([this] { work(); }) {}
 
-NetworkThread::~NetworkThread() {
+void NetworkThread::finish() {
   {
     const std::lock_guard lock(mutex_);
     stop_ = true;
   }
   changed_.notify_one();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 void NetworkThread::offer(Arrival arrival) {
@@ -33,16 +33,10 @@ int NetworkThread::skipped() const {
   return skipped_;
 }
 
-int NetworkThread::started() const {
-  const std::lock_guard lock(mutex_);
-  return started_;
-}
-
 std::optional<Arrival> NetworkThread::next() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return stop_ || waiting_; });
   if (stop_) return std::nullopt;
-  ++started_;
   return std::exchange(waiting_, std::nullopt);
 }
 

@@ -18,16 +18,17 @@ class NetworkThread {
  public:
   /// @param seconds that a frame takes at least. Clock and inbox must live longer.
   NetworkThread(FrameSegmenter segment, double seconds, Clock& clock, Inbox& inbox);
-  /// Waits for the frame that is being segmented; one that waits is not.
-  ~NetworkThread();
+  ~NetworkThread() { finish(); }
   NetworkThread(const NetworkThread&) = delete;
   NetworkThread& operator=(const NetworkThread&) = delete;
 
   /// A frame that still waits is skipped.
   void offer(Arrival arrival);
 
+  /// Waits for the frame that is being segmented; one that waits is not.
+  void finish();
+
   int skipped() const;
-  int started() const;
 
  private:
   void work();
@@ -41,7 +42,6 @@ class NetworkThread {
   std::condition_variable changed_;
   std::optional<Arrival> waiting_;
   int skipped_ = 0;
-  int started_ = 0;
   std::atomic<bool> stop_{false};
   std::thread thread_;  // the last: it uses all others
 };

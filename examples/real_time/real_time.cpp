@@ -16,20 +16,17 @@ Report play(const Source& source, Clock& clock, std::atomic<bool>& stop, dot::Tr
   Inbox inbox;
   WriterThread writer(done);
   LateMasksFeed feed(tracker);
-  std::optional<NetworkThread> network;
-  if (source.network.segment) network.emplace(source.network.segment, source.network.seconds, clock, inbox);
-  int received = 0;
+  NetworkThread network(source.network.segment, source.network.seconds, clock, inbox);
   {
     const CameraThread camera(source.read, source.times, clock, stop, inbox);
     while (std::optional<Inbox::Item> item = inbox.take()) {
       if (const auto* late = std::get_if<LateSegmentation>(&*item)) {
-        ++received;
         feed.submit(*late);
         continue;
       }
       const Arrival& arrival = std::get<Arrival>(*item);
-      if (network && source.network.takes(*arrival.frame)) {
-        network->offer(arrival);
+      if (source.network.takes(*arrival.frame)) {
+        network.offer(arrival);
         ++report.offered;
       }
       dot::Frame frame = arrival.frame->frame();
@@ -43,14 +40,13 @@ Report play(const Source& source, Clock& clock, std::atomic<bool>& stop, dot::Tr
     }
     report.late_reads = camera.late();
   }
+  network.finish();
+  inbox.check();  // what failed after the last frame was taken
   writer.finish();
   report.frames = report.tracked + inbox.dropped();
   report.refused = feed.refused();
   report.mask_latency = feed.latencies();
-  if (network) {
-    report.skipped = network->skipped();
-    report.unfinished = report.offered - report.skipped - received;
-  }
+  report.skipped = network.skipped();
   return report;
 }
 

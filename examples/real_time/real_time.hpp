@@ -22,7 +22,7 @@ struct Source {
 };
 
 /// Plays the source: each frame is tracked without masks when it comes, unless a newer one is there. The network
-/// segments the newest frame beside it, and its masks are submitted when they are done.
+/// segments the newest of these frames beside it, and its masks are submitted when they are done.
 /// @param stop ends the run, as if the recording ended.
 /// @param done called after each frame, in another thread.
 /// @throws what one of the threads has thrown.

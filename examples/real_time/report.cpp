@@ -15,6 +15,8 @@ std::string median_and_p99(const std::vector<double>& values, double ms_per_unit
   return text;
 }
 
+int Report::unfinished() const { return offered - skipped - refused - static_cast<int>(mask_latency.size()); }
+
 std::string Report::text() const {
   std::string text;
   if (!frame_latency.empty()) {
@@ -28,7 +30,7 @@ std::string Report::text() const {
   if (offered > 0) {
     const auto used = mask_latency.size();
     text += "late      masks of " + std::to_string(offered - skipped) + " frames: " + std::to_string(used) + " used, " +
-            std::to_string(refused) + " too late, " + std::to_string(unfinished) + " not done at the end; " +
+            std::to_string(refused) + " too late, " + std::to_string(unfinished()) + " not done at the end; " +
             std::to_string(skipped) + " frames skipped by the network\n";
     if (used > 0) text += "          from frame to masks " + median_and_p99(mask_latency, 1000) + "\n";
   }

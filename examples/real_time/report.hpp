@@ -15,9 +15,11 @@ struct Report {
   int offered = 0;                   ///< to the network
   int skipped = 0;                   ///< of these not segmented, because a newer one came before the network was ready
   int refused = 0;                   ///< segmentations that came too late for the tracker
-  int unfinished = 0;                ///< segmentations that were not done at the end
   std::vector<double> mask_latency;  ///< from frame to masks, of the segmentations that were used
   std::vector<double> frame_latency;  ///< from frame to result; empty where time is simulated
+
+  /// Segmentations that were not done at the end.
+  int unfinished() const;
 
   /// Lines for the summary of a run.
   std::string text() const;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <opencv2/imgproc.hpp>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "dot/image/opencv.hpp"
 #include "labels.hpp"
 #include "sequence/text.hpp"
+#include "turning.hpp"
 
 namespace runner {
 namespace {
@@ -38,12 +38,6 @@ const Style& style_of(dot::State state) {
   if (state == dot::State::Moving) return moving;
   if (state == dot::State::Static) return standing;
   return undecided;
-}
-
-std::string format(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
 }
 
 int zoom_of(const dot::Result& result) {
@@ -99,8 +93,7 @@ void draw_object(cv::Mat& picture, const cv::Mat& ids, const dot::ObjectResult& 
 std::string label_text(const dot::ObjectResult& object) {
   std::string text = "#" + std::to_string(object.id) + " ";
   text += object.state == dot::State::NotObservable ? "not observable" : dot::to_string(object.state);
-  if (object.state == dot::State::Moving && object.reason == dot::Reason::None)
-    text += format(" %.1f m/s", object.speed);
+  if (object.state == dot::State::Moving && object.reason == dot::Reason::None) text += " " + speed_label(object);
   return text;
 }
 

@@ -18,9 +18,10 @@ namespace {
 
 fs::path partial_name(const fs::path& path) { return fs::path(path) += ".partial"; }
 
-OutputFile::OutputFile(fs::path path) : path_(std::move(path)), stream_(partial_name(path_), std::ios::binary) {
+OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
   std::error_code error;
-  if (!stream_ || fs::is_directory(path_, error)) cannot_write(path_);
+  if (!fs::is_directory(path_, error)) stream_.open(partial_name(path_), std::ios::binary);
+  if (!stream_.is_open()) cannot_write(path_);
 }
 
 void OutputFile::flush() {

@@ -48,6 +48,12 @@ std::vector<std::string> read_lines(const std::filesystem::path& path) {
   return lines;
 }
 
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
 std::string frame_name(int number, const char* extension) {
   char text[32];
   std::snprintf(text, sizeof text, "%06d%s", number, extension);

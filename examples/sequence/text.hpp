@@ -21,6 +21,9 @@ std::vector<std::string> words(const std::string& text);
 /// @throws FileError when it cannot be read.
 std::vector<std::string> read_lines(const std::filesystem::path& path);
 
+/// A number by a pattern of printf.
+std::string format(const char* pattern, double value);
+
 /// Name of a frame's file, "000012.png".
 std::string frame_name(int number, const char* extension = ".png");
 

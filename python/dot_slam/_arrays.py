@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The dot authors
 # SPDX-License-Identifier: MIT
-"""numpy arrays as images of the C library: without a copy where its rows allow that, converted where nothing is lost.
+"""numpy arrays as images of the C library, without a copy where its rows allow that.
 
-The views point into the arrays that are returned beside them, which the caller has to keep for as long.
+Int64 ids that fit are converted, float64 depth is rounded to float32; other types are an error. The views point into
+the arrays that are returned beside them, which the caller has to keep for as long.
 """
 
 from __future__ import annotations
@@ -24,7 +25,10 @@ def as_array(value: Any, field: str) -> Array:
         raise invalid(field, "is a masked array: say what its gaps hold, with .filled(0)")
     if value is None:
         raise invalid(field, "is None")
-    return np.asarray(value)
+    try:
+        return np.asarray(value)
+    except (TypeError, ValueError) as error:  # rows of different lengths
+        raise invalid(field, f"is no array: {error}") from None
 
 
 def _describe(array: Array) -> str:
@@ -43,7 +47,8 @@ def view(array: Array, pixel_format: int) -> ViewOf:
     packed = array.strides[1] == row and array.strides[-1] == array.itemsize
     if not (packed and array.strides[0] >= row * array.shape[1] and array.strides[0] % array.itemsize == 0
             and array.flags.aligned and array.dtype.isnative):
-        array = np.require(array, array.dtype.newbyteorder("="), ["C_CONTIGUOUS", "ALIGNED"])
+        # Not np.require: it takes an array of a single row for contiguous, whatever its strides.
+        array = np.array(array, array.dtype.newbyteorder("="), order="C")
     return array, c.Image(format=pixel_format, width=array.shape[1], height=array.shape[0],
                           stride_bytes=array.strides[0], data=array.ctypes.data)
 

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 ABI_VERSION = 0
+HEADER_VERSION = 1000  # of dot.h: 1000000 major + 1000 minor + patch
 _FILE = f"libdot_capi.so.{ABI_VERSION}"
 
 GREY8, BGR8, RGB8, BGRA8, DEPTH_F32, DEPTH_U16, ID8, ID16, ID32 = range(1, 10)
@@ -96,6 +97,10 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
 }
 
 
+def _text(version: int) -> str:
+    return f"{version // 1000000}.{version // 1000 % 1000}.{version % 1000}"
+
+
 def _load() -> ctypes.CDLL:
     """The library beside this file, where a wheel has it; else the one that the dynamic linker finds."""
     bundled = Path(__file__).with_name(_FILE)
@@ -112,6 +117,9 @@ def _load() -> ctypes.CDLL:
     found = library.dot_abi_version()
     if found != ABI_VERSION:
         raise ImportError(f"the C library has the binary interface {found}, dot_slam needs {ABI_VERSION}")
+    if library.dot_version() < HEADER_VERSION:  # its structs may lack fields
+        raise ImportError(f"the C library has the version {_text(library.dot_version())}, dot_slam needs "
+                          f"{_text(HEADER_VERSION)} or a later one")
     return library
 
 
@@ -131,5 +139,4 @@ log_function = _LogFunction(_log)
 
 
 def version() -> str:
-    number = lib.dot_version()
-    return f"{number // 1000000}.{number // 1000 % 1000}.{number % 1000}"
+    return _text(lib.dot_version())

@@ -56,6 +56,6 @@ class DepthSource(IntEnum):
 
 
 class Classifier(IntEnum):
-    VELOCITY = 0  # belief over the velocity of the object's centroid
+    VELOCITY = 0  # belief over the velocities of the object's points
     ENTROPY = 1  # the paper's rule with the gate H < H_max
     ENTROPY_LITERAL = 2

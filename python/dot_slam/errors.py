@@ -46,7 +46,7 @@ class InternalError(Error, RuntimeError):
 
 # The C library's names of fields, and what they are here.
 _SETTING = re.compile(r"options\.settings\[\d+\]\.(?:value \(([^)]*)\)|name is unknown: (.*))")
-_FIELD = re.compile(r"(?:(frame|options|policy)\.|(masks|camera|intrinsics)\b)([\w.\[\]]*)")
+_FIELD = re.compile(r"(?:(frame|options|policy)\.|(masks|camera|intrinsics|frame_id)\b)([\w.\[\]]*)")
 
 
 def invalid(field: str, what: str) -> InvalidArgument:

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import ctypes
+from collections import abc
 from dataclasses import dataclass
 from typing import Any, Sequence, Union
 
@@ -13,6 +14,7 @@ import numpy.typing as npt
 
 from . import _arrays
 from . import _library as c
+from ._numbers import in_range, whole
 from .errors import invalid
 
 
@@ -25,7 +27,7 @@ class Instance:
     x: int = 0  # pixels: place of the mask's top left corner in the frame
     y: int = 0
     class_id: int = -1  # the caller's, -1 = unknown
-    score: float = 1.0
+    score: float = 1.0  # -1e6 to 1e6
     always_dynamic: bool = False  # people and other non-rigid objects: always reported as moving
 
 
@@ -49,6 +51,9 @@ class MaskViews:
 
     def __init__(self, masks: MasksLike, shape: _arrays.Shape) -> None:
         masks = _as_masks(masks, shape)
+        if not isinstance(masks.instances, abc.Sequence):
+            raise invalid("masks.instances", f"is {type(masks.instances).__name__}, must be a list of "
+                                             "dot_slam.Instance")
         self._kept: list[Any] = []
         self.struct = c.Masks(instance_count=len(masks.instances))
         if masks.ids is not None:
@@ -66,22 +71,15 @@ class MaskViews:
     def _convert(self, instance: Instance, name: str) -> c.Instance:
         if not isinstance(instance, Instance):
             raise invalid(name, f"is {type(instance).__name__}, must be dot_slam.Instance")
-        out = c.Instance(class_id=_whole(instance.class_id, -2**31, 2**31 - 1, f"{name}.class_id"),
-                         id=_whole(instance.id, 0, 2**32 - 1, f"{name}.id"),
-                         x=_whole(instance.x, -2**31, 2**31 - 1, f"{name}.x"),
-                         y=_whole(instance.y, -2**31, 2**31 - 1, f"{name}.y"),
-                         score=float(instance.score),
+        out = c.Instance(class_id=whole(instance.class_id, -2**31, 2**31 - 1, f"{name}.class_id"),
+                         id=whole(instance.id, 0, 2**32 - 1, f"{name}.id"),
+                         x=whole(instance.x, -2**31, 2**31 - 1, f"{name}.x"),
+                         y=whole(instance.y, -2**31, 2**31 - 1, f"{name}.y"),
+                         score=in_range(instance.score, -1e6, 1e6, f"{name}.score"),
                          flags=c.INSTANCE_ALWAYS_DYNAMIC if instance.always_dynamic else 0)
         if instance.mask is not None:
             out.mask = self._keep(_arrays.mask_view(instance.mask, f"{name}.mask"))
         return out
-
-
-def _whole(value: Any, low: int, high: int, name: str) -> int:
-    """ctypes would cut off what does not fit."""
-    if not isinstance(value, (int, np.integer)) or not low <= int(value) <= high:
-        raise invalid(name, f"is {value!r}, must be a whole number from {low} to {high}")
-    return int(value)
 
 
 def _as_masks(masks: MasksLike, shape: _arrays.Shape) -> Masks:

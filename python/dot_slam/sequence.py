@@ -7,7 +7,6 @@ Needs OpenCV for Python (cv2). For stereo pairs and for the layouts of public da
 
 from __future__ import annotations
 
-import csv
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Iterator, Sequence as Items
@@ -103,35 +102,53 @@ def _cv2() -> Any:
     return cv2
 
 
-def _read_lines(path: Path) -> list[list[str]]:
+# Text and numbers as dot_run reads them.
+
+
+def _read_lines(path: Path) -> list[str]:
+    """In any encoding: what is no UTF-8 stays as it is in command lines."""
     try:
-        return [line.split() for line in path.read_text(encoding="utf-8").splitlines()]
-    except (OSError, UnicodeDecodeError) as error:
+        return path.read_bytes().decode(errors="surrogateescape").split("\n")
+    except OSError as error:
         raise FileError(f"{path}: cannot be read: {error}") from None
 
 
-def _to_number(path: Path, line: int, name: str, text: str) -> float:
+def _parse_number(text: str) -> float | None:
+    """A finite decimal number. Not what float() takes besides: nan, inf, 1_000, digits of other scripts."""
     try:
-        value = float(text)
+        value = float(text) if set(text) <= set("0123456789+-.eE") else np.nan
     except ValueError:
-        value = np.nan
-    if not np.isfinite(value):
+        return None
+    return value if np.isfinite(value) else None
+
+
+def _to_number(path: Path, line: int, name: str, text: str) -> float:
+    value = _parse_number(text)
+    if value is None:
         raise FileError(f"{path}:{line}: {name} is {text!r}, must be a number")
     return value
 
 
+def _in_range(path: Path, line: int, name: str, value: float, low: float, high: float) -> float:
+    if not low <= value <= high:
+        raise FileError(f"{path}:{line}: {name} is {value:g}, must be from {low:g} to {high:g}")
+    return value
+
+
+def _to_whole(path: Path, line: int, name: str, value: float, low: int, high: int) -> int:
+    if not low <= value <= high or value != int(value):
+        raise FileError(f"{path}:{line}: {name} is {value:.10g}, must be a whole number from {low} to {high}")
+    return int(value)
+
+
 def _read_intrinsics(path: Path) -> tuple[Camera, float, DepthSource]:
     names = ("fx", "fy", "cx", "cy", "width", "height", "baseline", "fps")
-    lines = [words for words in _read_lines(path)] or [[]]
+    lines = [line.split() for line in _read_lines(path)]
     if len(lines[0]) != len(names):
         raise FileError(f"{path}:1: has {len(lines[0])} numbers, must be {' '.join(names)}")
     values = {name: _to_number(path, 1, name, text) for name, text in zip(names, lines[0])}
-    for name in ("width", "height"):
-        if values[name] != int(values[name]) or not 1 <= values[name] <= 65535:
-            raise FileError(f"{path}:1: {name} is {values[name]:g}, must be a whole number from 1 to 65535")
-    fps = values.pop("fps")
-    if fps <= 0:
-        raise FileError(f"{path}:1: fps is {fps:g}, must be > 0")
+    width, height = (_to_whole(path, 1, name, values.pop(name), 1, 65535) for name in ("width", "height"))
+    fps = _in_range(path, 1, "fps", values.pop("fps"), 1e-3, 1e5)
     source = DepthSource.STEREO if values["baseline"] > 0 else DepthSource.UNKNOWN
     for number, words in enumerate(lines[1:], 2):
         if not words:
@@ -139,7 +156,6 @@ def _read_intrinsics(path: Path) -> tuple[Camera, float, DepthSource]:
         if len(words) != 2 or words[0] != "depth" or words[1].upper() not in DepthSource.__members__:
             raise FileError(f"{path}:{number}: must be 'depth stereo', 'depth rgbd', 'depth lidar' or 'depth unknown'")
         source = DepthSource[words[1].upper()]
-    width, height = int(values.pop("width")), int(values.pop("height"))
     return Camera(width=width, height=height, **values), fps, source
 
 
@@ -165,7 +181,7 @@ def _same_frame(folder: Path, stem: str, number: int) -> Path:
 
 def _read_times(path: Path, numbers: list[int]) -> list[float]:
     """A line an image, or, where images were left out, a line a frame."""
-    lines = [(place, words) for place, words in enumerate(_read_lines(path), 1) if words]
+    lines = [(place, line.split()) for place, line in enumerate(_read_lines(path), 1) if line.strip()]
     rows = range(len(numbers)) if len(lines) == len(numbers) else numbers
     if rows[-1] >= len(lines):
         raise FileError(f"{path}: has {len(lines)} times for {len(numbers)} images up to number {numbers[-1]}")
@@ -173,20 +189,19 @@ def _read_times(path: Path, numbers: list[int]) -> list[float]:
 
 
 def _read_instances(path: Path, always_dynamic: set[str]) -> list[Instance]:
+    """Lines id,class,score. A class may be a number, which the library takes and does not interpret, or a name."""
+    white, largest = " \t\r\n\v\f", 2**31 - 1
     instances = []
-    with path.open(encoding="utf-8", newline="") as file:
-        for line, row in enumerate(csv.reader(file), 1):
-            words = [word.strip() for word in row]
-            if not any(words) or (line == 1 and words[0] == "id"):
-                continue
-            if len(words) < 2:
-                raise FileError(f"{path}:{line}: must be id,class,score")
-            number = _to_number(path, line, "id", words[0])
-            if number != int(number) or not 1 <= number <= 65535:
-                raise FileError(f"{path}:{line}: id is {words[0]}, must be a whole number from 1 to 65535")
-            # A class may be a number or a name; the library takes numbers and does not interpret them.
-            class_id = int(words[1]) if words[1].lstrip("-").isdecimal() else -1
-            score = _to_number(path, line, "score", words[2]) if len(words) > 2 else 1.0
-            instances.append(Instance(int(number), class_id=class_id, score=score,
-                                      always_dynamic=words[1] in always_dynamic))
+    for number, line in enumerate(_read_lines(path), 1):
+        words = [word.strip(white) for word in line.removesuffix(",").split(",")]
+        if not line.strip(white) or (number == 1 and words[0] == "id"):
+            continue
+        if len(words) < 2:
+            raise FileError(f"{path}:{number}: must be id,class,score")
+        id = _to_whole(path, number, "id", _to_number(path, number, "id", words[0]), 1, 65535)
+        class_number = _parse_number(words[1])
+        class_id = -1 if class_number is None else _to_whole(path, number, "class", class_number, -largest, largest)
+        score = 1.0 if len(words) < 3 else _in_range(path, number, "score",
+                                                     _to_number(path, number, "score", words[2]), -1e6, 1e6)
+        instances.append(Instance(id, class_id=class_id, score=score, always_dynamic=words[1] in always_dynamic))
     return instances

@@ -7,6 +7,7 @@ from __future__ import annotations
 import ctypes
 import threading
 import weakref
+from collections import abc
 from dataclasses import dataclass
 from types import TracebackType
 from typing import Any, Mapping, NoReturn, Type
@@ -17,6 +18,7 @@ import numpy.typing as npt
 from . import _arrays, errors
 from . import _library as c
 from ._library import lib
+from ._numbers import in_range, number, whole
 from .enums import Classifier, DepthSource
 from .errors import InvalidArgument, invalid
 from .masks import MasksLike, MaskViews
@@ -64,14 +66,13 @@ class Tracker:
                  colour: str = "bgr", depth_units_per_metre: float | None = None) -> None:
         if colour not in ("bgr", "rgb"):
             raise invalid("colour", f"is {colour!r}, must be 'bgr' or 'rgb'")
-        if depth_units_per_metre is not None and not 1e-3 <= _number(depth_units_per_metre,
-                                                                     "depth_units_per_metre") <= 1e7:
-            raise invalid("depth_units_per_metre", f"is {depth_units_per_metre}, must be 0.001 to 1e7")
+        self._units = None if depth_units_per_metre is None else in_range(depth_units_per_metre, 1e-3, 1e7,
+                                                                          "depth_units_per_metre")
         c_options = c.Options()
         self._check_create(lib.dot_options_init(ctypes.byref(c_options), ctypes.sizeof(c_options)))
         c_options.depth_source = _named(DepthSource, depth_source, "depth_source")
         c_options.classifier = _named(Classifier, classifier, "classifier")
-        settings = [c.Setting(name.encode(), _number(value, name)) for name, value in (options or {}).items()]
+        settings = _c_settings({} if options is None else options)
         if settings:
             c_options.setting_count = len(settings)
             c_options.settings = (c.Setting * len(settings))(*settings)
@@ -87,7 +88,6 @@ class Tracker:
         self._camera = camera
         self._shape = (int(camera.height), int(camera.width))
         self._rgb = colour == "rgb"
-        self._units = None if depth_units_per_metre is None else float(depth_units_per_metre)
         self._next_id = 0
         self._check(lib.dot_set_log(handle, c.log_function, None))
 
@@ -114,8 +114,8 @@ class Tracker:
         """
         image_array, image_view = _arrays.image_view(image, self._shape, self._rgb)
         depth_array, depth_view = _arrays.depth_view(depth, self._shape, self._units)
-        number = self._next_id if frame_id is None else _frame_id(frame_id)
-        frame = c.Frame(id=number, timestamp=_number(timestamp, "timestamp"), image=ctypes.pointer(image_view),
+        id = _frame_id(self._next_id if frame_id is None else frame_id)
+        frame = c.Frame(id=id, timestamp=number(timestamp, "timestamp"), image=ctypes.pointer(image_view),
                         depth=ctypes.pointer(depth_view))
         if masks is not None:
             views = MaskViews(masks, self._shape)
@@ -127,7 +127,7 @@ class Tracker:
             frame.camera_prior = prior.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
         with _Use(self) as handle:
             self._check(lib.dot_track(handle, ctypes.byref(frame)))
-            self._next_id = number + 1
+            self._next_id = id + 1
             return self._result(handle)
 
     def submit_masks(self, frame_id: int, masks: MasksLike) -> None:
@@ -138,9 +138,9 @@ class Tracker:
         if masks is None:
             raise invalid("masks", "is None; for a network that found nothing use []")
         views = MaskViews(masks, self._shape)
-        number = _frame_id(frame_id)
+        id = _frame_id(frame_id)
         with _Use(self) as handle:
-            self._check(lib.dot_submit_masks(handle, number, ctypes.byref(views.struct)))
+            self._check(lib.dot_submit_masks(handle, id, ctypes.byref(views.struct)))
 
     def exclusion_mask(self, *, not_observable: bool = True, static: bool = False, dilation: int = 2,
                        inverted: bool = False) -> npt.NDArray[np.uint8]:
@@ -150,9 +150,8 @@ class Tracker:
         too. dilation: pixels by which the area is widened. inverted: 0 = do not use, 255 = use, as OpenCV's detectors
         take it. The array is the caller's.
         """
-        if not isinstance(dilation, (int, np.integer)) or not 0 <= dilation < 2**31:
-            raise invalid("dilation", f"is {dilation!r}, must be a whole number >= 0")
-        policy = c.ExclusionPolicy(dilation=int(dilation), flags=(c.EXCLUDE_NOT_OBSERVABLE if not_observable else 0)
+        pixels = whole(dilation, 0, 2**31 - 1, "dilation")
+        policy = c.ExclusionPolicy(dilation=pixels, flags=(c.EXCLUDE_NOT_OBSERVABLE if not_observable else 0)
                                    | (c.EXCLUDE_STATIC if static else 0) | (c.EXCLUDE_INVERTED if inverted else 0))
         out = np.empty(self._shape, np.uint8)
         with _Use(self) as handle:
@@ -239,19 +238,8 @@ def _buffer(array: npt.NDArray[Any]) -> tuple[int, int, int, int]:
     return array.ctypes.data, array.shape[1], array.shape[0], array.strides[0]
 
 
-def _number(value: Any, field: str) -> float:
-    if isinstance(value, (str, bytes)):
-        raise invalid(field, f"is {value!r}, must be a number")
-    try:
-        return float(value)
-    except (TypeError, ValueError, OverflowError):
-        raise invalid(field, f"is {value!r}, must be a number") from None
-
-
 def _frame_id(value: Any) -> int:
-    if not isinstance(value, (int, np.integer)) or not 0 <= int(value) < 2**64:
-        raise invalid("frame_id", f"is {value!r}, must be a whole number from 0 to 2^64 - 1")
-    return int(value)
+    return whole(value, 0, 2**64 - 1, "frame_id")
 
 
 def _named(kind: Any, value: Any, field: str) -> int:
@@ -264,14 +252,22 @@ def _named(kind: Any, value: Any, field: str) -> int:
 
 
 def _c_camera(camera: Camera) -> c.Camera:
-    sizes = {}
-    for name in ("width", "height"):
-        value = getattr(camera, name)
-        if not isinstance(value, (int, np.integer)) or not 0 < value < 2**31:
-            raise invalid(f"camera.{name}", f"is {value!r}, must be a whole number > 0")
-        sizes[name] = int(value)
-    numbers = {name: _number(getattr(camera, name), f"camera.{name}") for name in ("fx", "fy", "cx", "cy", "baseline")}
+    if not isinstance(camera, Camera):
+        raise invalid("camera", f"is {type(camera).__name__}, must be dot_slam.Camera")
+    sizes = {name: whole(getattr(camera, name), 1, 2**31 - 1, f"camera.{name}") for name in ("width", "height")}
+    numbers = {name: number(getattr(camera, name), f"camera.{name}") for name in ("fx", "fy", "cx", "cy", "baseline")}
     return c.Camera(**sizes, **numbers)
+
+
+def _c_settings(options: Mapping[str, float]) -> list[c.Setting]:
+    if not isinstance(options, abc.Mapping):
+        raise invalid("options", f"is {type(options).__name__}, must be a dict of names and numbers")
+    settings = []
+    for name, value in options.items():
+        if not isinstance(name, str) or not name.isascii() or "\0" in name:
+            raise invalid("options", f"has the name {name!r}, must be text in ASCII")
+        settings.append(c.Setting(name.encode(), number(value, name)))
+    return settings
 
 
 def _c_motion(motion: CameraMotion) -> c.CameraMotion:

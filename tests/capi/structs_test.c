@@ -138,6 +138,19 @@ static void test_older_struct(void) {
     }
     CHECK(accepted == 3); /* the sizes that were published, and none between */
   }
+  {
+    uint32_t size, accepted = 0, objects = 0;
+    CHECK(dot_object_count(tracker, &objects) == DOT_OK && objects > 0);
+    for (size = 0; size <= sizeof(dot_object) + 16; ++size) {
+      dot_object object = DOT_OBJECT_INIT;
+      object.struct_size = size;
+      object.point_speed = 77;
+      if (dot_get_object(tracker, 0, &object) != DOT_OK) continue;
+      ++accepted;
+      CHECK((object.point_speed == 77) == (size < sizeof(dot_object)));
+    }
+    CHECK(accepted == 2);
+  }
   camera.struct_size = offsetof(dot_camera_result, small_instances);
   camera.small_instances = 77;
   CHECK(dot_get_camera(tracker, &camera) == DOT_OK);

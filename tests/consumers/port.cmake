@@ -27,12 +27,7 @@ set(CURRENT_PACKAGES_DIR "${WORK}/package")
 set(VCPKG_LIBRARY_LINKAGE ${LINKAGE})
 set(tools -G "${GENERATOR}" "-DCMAKE_C_COMPILER=${C_COMPILER}" "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}")
 
-function(run)
-  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE out ERROR_VARIABLE out RESULT_VARIABLE status)
-  if(NOT status EQUAL 0)
-    message(FATAL_ERROR "${ARGN}: ${status}\n${out}")
-  endif()
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/../cmake/Run.cmake")
 
 macro(vcpkg_check_features)
   cmake_parse_arguments(arg "" OUT_FEATURE_OPTIONS FEATURES ${ARGN})

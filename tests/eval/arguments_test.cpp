@@ -39,5 +39,21 @@ TEST(Arguments, AllOfThem) {
   EXPECT_EQ(a.run.sequence.mask_dir, "m");
 }
 
+Arguments delays(const std::string& value, const std::string& plot = "") {
+  std::vector<const char*> line{"dot_eval", "/d/a", "--network-delay", value.c_str()};
+  if (!plot.empty()) line.insert(line.end(), {"--plot", plot.c_str()});
+  return parse_arguments(static_cast<int>(line.size()), line.data());
+}
+
+TEST(Arguments, DelaysAreInTheirOrderAndOnce) {
+  EXPECT_EQ(delays("0,500,100,500").network_delays, (std::vector<int>{0, 100, 500}));
+}
+
+TEST(Arguments, APlotNeedsTwoDelays) {
+  EXPECT_EQ(delays("0,100", "x.svg").plot, "x.svg");
+  EXPECT_THROW(delays("100", "x.svg"), runner::UsageError);
+  EXPECT_THROW(delays("100,100", "x.svg"), runner::UsageError);
+}
+
 }  // namespace
 }  // namespace eval

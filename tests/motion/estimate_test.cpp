@@ -112,9 +112,9 @@ struct MovingPoints {
           offsets.push_back({0.1 * random.normal(), 0.2 * random.normal(), 0.05 * random.normal()});
         else
           offsets.push_back(-offsets.back());
-        const Vector3<double> X = centre + offsets.back();
-        points.push(0, 0, static_cast<float>(X.x() / X.z()), static_cast<float>(X.y() / X.z()),
-                    static_cast<float>(1 / X.z()), 0);
+        const Vector3<double> at = centre + offsets.back();
+        points.push(0, 0, static_cast<float>(at.x() / at.z()), static_cast<float>(at.y() / at.z()),
+                    static_cast<float>(1 / at.z()), 0);
       }
   }
 };
@@ -124,10 +124,10 @@ TEST(PointSpeed, IsTheRootMeanSquareOverThePoints) {
   dot::MotionEstimate e;
   e.velocity = {0.1, -0.05, 0.2};
   e.angular_velocity = {0.5, -1, 0.3};
-  e.inertia = dot::inertia(body.points, body.centre);
+  e.inertia = dot::inertia_of(body.points, body.centre);
   double sum = 0;
   for (const Vector3<double>& r : body.offsets) sum += (e.velocity + e.angular_velocity.cross(r)).squaredNorm();
-  EXPECT_NEAR(e.point_speed(), std::sqrt(sum / body.offsets.size()), 1e-5);
+  EXPECT_NEAR(e.point_speed(), std::sqrt(sum / static_cast<double>(body.offsets.size())), 1e-5);
   const Matrix3<double> R = dot::so3::exp(Vector3<double>(0.3, 1, -0.5));
   EXPECT_NEAR(e.rotated(R).point_speed(), e.point_speed(), 1e-12);
   e.velocity.setZero(), e.angular_velocity.setZero();
@@ -139,7 +139,7 @@ TEST(PointSpeed, SigmaIsTheErrorOfTheirVelocities) {
   dot::MotionEstimate e;
   e.covariance = Vector3<double>(1e-4, 4e-4, 9e-4).asDiagonal();
   e.angular_covariance = Vector3<double>(0.01, 0.04, 0.02).asDiagonal();
-  e.inertia = dot::inertia(body.points, body.centre);
+  e.inertia = dot::inertia_of(body.points, body.centre);
   Random random(5);
   const int n = 4000;
   double sum = 0;
@@ -149,7 +149,8 @@ TEST(PointSpeed, SigmaIsTheErrorOfTheirVelocities) {
       v[i] = random.normal(std::sqrt(e.covariance(i, i)));
       w[i] = random.normal(std::sqrt(e.angular_covariance(i, i)));
     }
-    for (const Vector3<double>& r : body.offsets) sum += (v + w.cross(r)).squaredNorm() / n / body.offsets.size();
+    for (const Vector3<double>& r : body.offsets)
+      sum += (v + w.cross(r)).squaredNorm() / n / static_cast<double>(body.offsets.size());
   }
   EXPECT_NEAR(e.point_speed_sigma() / std::sqrt(sum), 1, 0.03);
   const Matrix3<double> R = dot::so3::exp(Vector3<double>(0.3, 1, -0.5));
@@ -157,7 +158,7 @@ TEST(PointSpeed, SigmaIsTheErrorOfTheirVelocities) {
 }
 
 TEST(PointSpeed, WithoutPointsIsThatOfTheCentroid) {
-  EXPECT_TRUE(dot::inertia({}, Vector3<double>(0, 0, 1)).isZero());
+  EXPECT_TRUE(dot::inertia_of({}, Vector3<double>(0, 0, 1)).isZero());
   dot::MotionEstimate e;
   e.velocity = {3, 4, 0};
   e.angular_velocity = {9, 9, 9};

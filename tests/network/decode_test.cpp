@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "known_tensors.hpp"
@@ -84,6 +85,31 @@ TEST(YoloSeg, ABoxBesideTheImageIsNoDetection) {
   EXPECT_TRUE(decode_yolo_seg(outputs, 3, yolo_placement, {}).empty());
 }
 
+/// `count` equal candidates of the only class on one object, and a weaker one elsewhere.
+std::vector<Tensor> crowd(int count) {
+  Tensor candidates{"output0", {1, 6, count + 1}, {}};
+  const float object[] = {8, 8, 8, 8, .875F, 1}, other[] = {24, 24, 8, 8, .5F, 1};
+  for (std::size_t row = 0; row < 6; ++row) {
+    candidates.values.insert(candidates.values.end(), static_cast<std::size_t>(count), object[row]);
+    candidates.values.push_back(other[row]);
+  }
+  return {candidates, {"output1", {1, 1, 8, 8}, std::vector<float>(64, 1)}};
+}
+
+TEST(YoloSeg, ManyCandidatesOnOneObjectLeaveRoomForOthers) {
+  const std::vector<Detection> detections = decode_yolo_seg(crowd(400), 1, place({32, 32}, {32, 32}, true), {});
+  ASSERT_EQ(detections.size(), 2U);
+  EXPECT_EQ(detections[0].region, cv::Rect(4, 4, 8, 8));
+  EXPECT_EQ(detections[1].region, cv::Rect(20, 20, 8, 8));
+}
+
+TEST(YoloSeg, TheSurestInstancesCount) {
+  const std::vector<Detection> detections =
+      decode_yolo_seg(crowd(3), 1, place({32, 32}, {32, 32}, true), {.25F, .45F, 1});
+  ASSERT_EQ(detections.size(), 1U);
+  EXPECT_EQ(detections[0].score, .875F);
+}
+
 TEST(YoloSeg, WrongShapesAreNamed) {
   EXPECT_EQ(complaint([] { decode_yolo_seg(yolo_v8(), 80, yolo_placement, {}); }),
             "output 'output0' has shape 1x9x6, expected 1x86xN (YOLOv8, YOLO11) or 1xNx87 (YOLOv5), with 80 classes "
@@ -160,6 +186,20 @@ TEST(MaskRcnn, NothingFound) {
       decode_mask_rcnn(outputs, MaskRcnnKind::Torchvision, 90, place({8, 4}, {8, 4}, false), {.5F, .45F, 300}).empty());
 }
 
+TEST(MaskRcnn, ABoxWithoutEndIsNoDetection) {
+  const float infinity = std::numeric_limits<float>::infinity();
+  for (const MaskRcnnKind kind : {MaskRcnnKind::Torchvision, MaskRcnnKind::Detectron2})
+    for (std::size_t edge = 0; edge < 4; ++edge) {
+      std::vector<Tensor> outputs = kind == MaskRcnnKind::Torchvision ? torchvision() : detectron2();
+      const auto count = [&] {
+        return decode_mask_rcnn(outputs, kind, 90, place({8, 4}, {8, 4}, false), {.5F, .45F, 300}).size();
+      };
+      const std::size_t before = count();
+      outputs[0].values[edge] = edge < 2 ? -infinity : infinity;
+      EXPECT_EQ(count(), before - 1) << edge;
+    }
+}
+
 TEST(MaskRcnn, WrongShapesAreNamed) {
   const auto said = [](std::size_t output, const std::vector<int>& shape, MaskRcnnKind kind) {
     std::vector<Tensor> outputs = kind == MaskRcnnKind::Torchvision ? torchvision() : detectron2();
@@ -225,6 +265,14 @@ TEST(Input, LetterboxKeepsProportions) {
             << c << ' ' << y << ' ' << x;
   EXPECT_EQ(p.to_image(0, 2, 8, 6), cv::Rect2d(0, 0, 4, 2));
   EXPECT_EQ(p.to_image(-9, 3, 4, 99), cv::Rect2d(0, .5, 2, 1.5));
+}
+
+TEST(Input, EachValueIsScaledInSinglePrecision) {
+  cv::Mat image(16, 16, CV_8UC3);
+  for (int i = 0; i < 256; ++i) image.at<cv::Vec3b>(i / 16, i % 16) = cv::Vec3b::all(static_cast<std::uint8_t>(i));
+  const Tensor input = make_input(image, place(image.size(), image.size(), false), {});
+  for (std::size_t i = 0; i < 3 * 256; ++i)
+    EXPECT_EQ(input.values[i], static_cast<float>(i % 256) * static_cast<float>(1 / 255.)) << i;
 }
 
 TEST(Input, WithoutLetterboxTheImageFillsIt) {

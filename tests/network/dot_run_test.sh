@@ -81,6 +81,12 @@ grep -q '^3,' "$work/delay3/objects.csv" || fail "masks of frame 0 do not show a
 accepts "too slow a network" delay4 --network-delay 1500
 says "too slow a network" "0 used, 1 too late"
 
+# The time of a frame is that of the tracker's stages alone: the network takes about as long again. A busy machine may
+# stop the program between two clocks, but not in most frames.
+accepts "the time of a frame" timed --network "$cars" --network-delay 0
+awk -F, 'NR > 1 { stages = 0; for (i = 2; i < NF; ++i) stages += $i; longer += $NF > 1.25 * stages }
+  END { exit !(NR == 25 && longer < 12) }' "$work/timed/timing.csv" || fail "the frame's time has that of the network"
+
 # --- In real time.
 
 accepts "real time" real --network "$cars" --real-time 30
@@ -132,14 +138,21 @@ rejects "a failure beside the tracker" 1 "expected 1x86xN (YOLOv8, YOLO11)" --ne
 rejects "a failure with a delay" 1 "no_ids.onnx: output 'ids' is 0.5" --network "$models/no_ids.onnx" --network-delay 50
 rejects "another size" 1 "and --network-size says 640x640" --network "$cars" --network-size 640x640
 rejects "no size" 2 "--network-size needs WxH" --network "$cars" --network-size 640
+for size in x12 12x 640x0 640x384x3 x; do
+  rejects "size $size" 2 "--network-size needs WxH, as 640x384, each from 1 to 16384, not '$size'" --network "$cars" --network-size "$size"
+done
 rejects "unknown format" 2 "--network-format must be one of yolo-seg, mask-rcnn, ids" --network "$cars" --network-format rle
 rejects "unknown backend" 2 "--network-backend must be one of opencv, onnxruntime" --network "$cars" --network-backend cuda
 rejects "score of 0" 2 "--network-score" --network "$cars" --network-score 0
+rejects "score over 1" 2 "--network-score needs a number over 0 and at most 1, not '1.5'" --network "$cars" --network-score 1.5
+rejects "score of ids" 2 "--network-score: an image of ids has no scores" --network "$cars" --network-score 0.5
+rejects "dynamic classes of ids" 2 "--always-dynamic: an image of ids has no classes" --network "$cars" --always-dynamic car
 rejects "option without a network" 2 "--network-size needs --network" --network-size 640x640
 rejects "classes of ids" 2 "--network-classes" --network "$cars" --network-classes "$sample/times.txt"
 rejects "masks of two sources" 2 "--mask-dir does not go with --network" --network "$cars" --mask-dir masks2
 rejects "two delays" 2 "--mask-delay does not go with" --mask-delay 1 --network-delay 100
 rejects "delay in words" 2 "--network-delay needs a whole number" --network-delay soon
+rejects "too high a rate" 2 "--real-time needs a number over 0 and at most 1000, not '2000'" --real-time 2000
 rejects "a rate of 0" 2 "--real-time needs a number over 0" --real-time 0
 rejects "a rate in words" 2 "--real-time needs a number over 0" --real-time=fast
 

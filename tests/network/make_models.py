@@ -94,6 +94,17 @@ def boxes_head(folder):
              [numpy_helper.from_array(v, k) for k, v in constants.items()], change)
 
 
+def rows(folder):
+    """Rows that are extended to four dimensions and to two. As exported, and for OpenCV 4.6."""
+    constants = {"ones": np.array([[1, 10]], np.float32), "flat": np.array([3, 4]), "factors": np.array([[1, 2, 3, 4]], np.float32)}
+    nodes = [
+        helper.make_node("Add", ["images", "ones"], ["sum"]), helper.make_node("Reshape", ["sum", "flat"], ["table"]),
+        helper.make_node("Mul", ["table", "factors"], ["out"])]
+    for name, change in (("rows", None), ("rows_expanded", expand)):
+        save(folder, name, [floats("images", (1, 3, 2, 2))], nodes, [floats("out", (3, 4))],
+             [numpy_helper.from_array(v, k) for k, v in constants.items()], change)
+
+
 def yolo_v5_head(folder):
     """The end of YOLOv5 for two anchors on 2x2 places, with one class and one coefficient: 1x14x2x2 to 1x8x7."""
     grid = np.zeros((1, 2, 2, 2, 2), np.float32)
@@ -145,6 +156,7 @@ def main(folder):
 
     attention(folder)
     boxes_head(folder)
+    rows(folder)
     yolo_v5_head(folder)
     single(folder, "unsupported", "Det", (1, 3, 4, 4), (1, 3))
     single(folder, "grey_input", "Relu", (1, 1, 4, 8), (1, 1, 4, 8))

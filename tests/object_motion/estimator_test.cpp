@@ -33,13 +33,16 @@ struct MovingBox {
   dot::Image<std::uint8_t> occluders;
 
   /// @param scatter 1/m. @param before_it what stands between it and the camera.
-  explicit MovingBox(unsigned seed, double scatter = 0, const std::vector<dot::test::Body>& before_it = {}) {
+  /// @param turn rad, about the optical axis, in the interval.
+  explicit MovingBox(unsigned seed, double scatter = 0, const std::vector<dot::test::Body>& before_it = {},
+                     double turn = 0) {
     dot::test::Body body = dot::test::box(7, {0.7, 0.6, 0.4}, seed, 0.07, 0.15, 15);
     body.T_world_body.t = {-0.1, 0, 3.4};
     dot::test::Scene scene{{dot::test::hopper(seed + 20, 1, 2.5, 60), body}};
     scene.bodies.insert(scene.bodies.end(), before_it.begin(), before_it.end());
     const dot::test::Rendering before = scene.render(camera, SE3d{});
     scene.bodies[1].T_world_body.t += velocity * dt;
+    scene.bodies[1].T_world_body.R = dot::so3::exp(Vector3<double>(0, 0, turn));
     const dot::test::Rendering now = scene.render(camera, SE3d{});
     dot::Pyramid pyramid;
     pyramid.build(before.grey.view(), kLevels);
@@ -57,6 +60,7 @@ struct MovingBox {
     for (std::size_t i = 0; i < reference.points.u.size(); ++i)
       reference.centroid += Vector3<double>(reference.points.x[i], reference.points.y[i], 1) /
                             (static_cast<double>(reference.points.q[i]) * reference.points.size());
+    reference.inertia = dot::inertia_of(reference.points, reference.centroid);
     reference.area = 16 * reference.points.size();
   }
 
@@ -118,6 +122,38 @@ TEST(ObjectFit, IsAsUnsureAsItsOwnDepthScatters) {
   };
   EXPECT_NEAR(sigma(1) / sigma(0), 1, 0.02);
   EXPECT_GT(sigma(4) / sigma(2), 1.5);
+}
+
+// With the prior taken out, the rotation is that of the data, and its sigma covers the error.
+TEST(ObjectFit, SaysHowItTurns) {
+  for (const double speed : {-0.6, 0.0, 0.3, 0.6}) {  // rad/s
+    double chi2 = 0, mean = 0;
+    const int n = 5;
+    for (unsigned seed = 1; seed <= n; ++seed) {
+      const MovingBox scene(seed, 0.0005, {}, speed * dt);
+      const ObjectFit fit = scene.fit({}, {SE3d::translation(scene.velocity * dt)});
+      ASSERT_TRUE(fit.ok()) << speed << ", " << seed << ": " << dot::to_string(fit.reason);
+      const Vector3<double> error = fit.motion.angular_velocity - Vector3<double>(0, 0, speed);
+      mean += fit.motion.angular_velocity.z() / n;
+      chi2 += error.dot(fit.motion.angular_covariance.ldlt().solve(error)) / 3 / n;
+    }
+    EXPECT_NEAR(mean, speed, 0.01);
+    EXPECT_LT(chi2, 1) << speed;
+  }
+}
+
+// A prior pulls to no rotation. K takes nine tenths of it out.
+TEST(WithoutPrior, GivesTheRotationOfTheData) {
+  dot::MotionPriorSettings prior;
+  const dot::Matrix3<double> P = dot::prior_information(prior, dt).bottomRightCorner<3, 3>();
+  dot::Matrix3<double> H;  // information of the data
+  H << 900, 100, -50, 100, 400, 30, -50, 30, 20;
+  const Vector3<double> measured(0.02, -0.05, 0.03);
+  const dot::Matrix3<double> S = (H + P).inverse();
+  const Vector3<double> fitted = S * H * measured;
+  const Vector3<double> expected = (H + 0.1 * P).inverse() * H * measured;
+  EXPECT_LT((dot::without_prior(S, prior, dt) * fitted - expected).norm(), 1e-12);
+  EXPECT_TRUE(dot::without_prior(P.inverse(), prior, dt).isApprox(10 * dot::Matrix3<double>::Identity(), 1e-9));
 }
 
 // All of them would lie behind the camera.

@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Decision, FrameRate, testing::Values(5.0, 10.0, 30.0),
 /// A box of 0.3 m on a table, 1.3 m before an RGB-D camera in a hand.
 constexpr std::uint32_t box_on_table = 5;
 const Vector3<double> on_table(0.1, 0.05, 1.3);
-Film<> table(const Path& path) {
+Film<> table(const Path& path, double depth = 0.15) {
   Film<> film;
   film.camera_path = [](double t) {
     return SE3d{dot::so3::exp(Vector3<double>(0, 0.05 * std::sin(2 * t), 0)), Vector3<double>(0.04 * t, 0, 0)};
@@ -131,13 +131,13 @@ Film<> table(const Path& path) {
     room.quads.push_back({V(0, 0.25, 1.5), V(6, 0, 0), V(0, 0, 3), Texture(11, 0.06, 0.5)});  // the table
     room.quads.push_back({V(0, -1, 2.6), V(6, 0, 0), V(0, 3, 0), Texture(12, 0.08, 0.6)});    // a wall
   };
-  film.add(box(box_on_table, {0.15, 0.15, 0.15}, 77, 0.03, 0.2), path);
+  film.add(box(box_on_table, {0.15, 0.15, depth}, 77, 0.03, 0.2), path);
   return film;
 }
 
 /// States of the box after the first half second, at `fps`.
-std::vector<State> states_on_table(const Path& path, double fps, double seconds = 1.5) {
-  Film<> film = table(path);
+std::vector<State> states_on_table(const Path& path, double fps, double seconds = 1.5, double depth = 0.15) {
+  Film<> film = table(path, depth);
   film.interval = 1 / fps;
   Options options;
   options.depth_noise.source = dot::DepthSource::Rgbd;
@@ -163,6 +163,12 @@ TEST_P(FrameRate, ASlowBoxOnATableMoves) {
 
 TEST_P(FrameRate, ABoxThatTurnsOnTheSpotMoves) {
   EXPECT_GE(share(states_on_table(turning(20), GetParam()), State::Moving), 0.9);
+}
+
+// The centroid of a board that faces the camera stays where it is.
+TEST_P(FrameRate, ABoardThatTurnsLikeAWheelMoves) {
+  const Path wheel = [](double t) { return SE3d{dot::so3::exp(Vector3<double>(0, 0, 0.35 * t)), on_table}; };
+  EXPECT_GE(share(states_on_table(wheel, GetParam(), 1.5, 0.01), State::Moving), 0.9);
 }
 
 TEST_P(FrameRate, ABoxAtRestOnATableIsStatic) {

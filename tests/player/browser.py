@@ -16,7 +16,7 @@ MODIFIERS = {"alt": 1, "ctrl": 2, "meta": 4, "shift": 8}
 
 
 class Browser:
-    """Opens a file; what the page logs as an error, and what it asks the network for, is kept in `complaints`."""
+    """Opens a file; what the page logs as an error is kept in `complaints`, what it asks for in `requests`."""
 
     def __init__(self, program, width=1400, height=1500, dark=False):
         self.profile = tempfile.mkdtemp(prefix="dot_player_")
@@ -24,7 +24,6 @@ class Browser:
         self.requests = []
         self._buffer = b""
         self._next = 0
-        self._width, self._height = width, height
         to_browser, self._out = os.pipe()
         self._in, from_browser = os.pipe()
         command = [program, "--headless=new", "--remote-debugging-pipe", "--disable-gpu", "--no-first-run",
@@ -98,8 +97,8 @@ class Browser:
                          % json.dumps(selector))
         self.click(box[0] + u * box[2], box[1] + v * box[3])
 
-    def picture(self, path, clip=None):
-        shot = self._page("Page.captureScreenshot", format="png", **({"clip": {**clip, "scale": 1}} if clip else {}))
+    def picture(self, path):
+        shot = self._page("Page.captureScreenshot", format="png")
         with open(path, "wb") as file:
             file.write(base64.b64decode(shot["data"]))
 

@@ -58,7 +58,7 @@ TEST(Explanation, OfDecidedObjectsByTheThresholds) {
 TEST(Explanation, NearObjectsHaveALowerLimit) {
   dot::ObjectResult near = object(dot::State::Moving, 0.95);
   near.range = 4;
-  EXPECT_TRUE(has(explanation(near, {}), "faster than 0.08 m/s counts as moving"));
+  EXPECT_TRUE(has(explanation(near, {}), "faster than 0.080 m/s counts as moving"));
 }
 
 TEST(Explanation, WhyNotDecided) {
@@ -77,6 +77,43 @@ TEST(Explanation, WhyNotDecided) {
       explanation(o, options),
       "Not measured in this frame: it has too little texture. P(moving) is 0.630: not decided. Above 0.9 it would "
       "be moving, below 0.1 static. It was last decided: static.");
+}
+
+/// On the spot, 2 m away.
+dot::ObjectResult turning(dot::State state, double p_moving) {
+  dot::ObjectResult o = object(state, p_moving);
+  o.speed = 0;
+  o.velocity = {};
+  o.velocity_covariance = {1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4};
+  o.range = 2;
+  o.point_speed = 0.11;
+  o.point_speed_sigma = std::sqrt(0.022 * 0.022 + 3e-4);
+  return o;
+}
+
+TEST(Explanation, OfWhatMovesBecauseItTurns) {
+  const dot::ObjectResult o = turning(dot::State::Moving, 0.95);
+  EXPECT_EQ(
+      explanation(o, {}),
+      "Measured 0.000 m/s (sigma 0.010) at 2.0 m; turning moves its points by 0.110 m/s (sigma 0.022); faster than "
+      "0.020 m/s counts as moving. P(moving) is 0.950, above 0.9: moving.");
+  dot::Options without;
+  without.velocity.most_turning = 0;
+  EXPECT_FALSE(has(explanation(o, without), "turning"));
+  without.classifier = dot::ClassifierKind::Entropy;
+  without.velocity.most_turning = 0.5;
+  EXPECT_FALSE(has(explanation(o, without), "turning"));
+}
+
+TEST(Explanation, TurningSpeaksForMoving) {
+  dot::ObjectResult o = turning(dot::State::NotObservable, 0.6);
+  o.velocity_covariance = {1e-6, 0, 0, 0, 1e-6, 0, 0, 0, 1e-6};
+  EXPECT_TRUE(has(explanation(o, {}), "This frame alone speaks for moving, but"));
+  dot::Options without;
+  without.velocity.most_turning = 0;
+  EXPECT_TRUE(has(explanation(o, without), "This frame alone speaks for static, but"));
+  o.point_speed_sigma = 0.05;
+  EXPECT_TRUE(has(explanation(o, {}), "This frame alone speaks for static, but"));
 }
 
 TEST(Explanation, OfAClassThatAlwaysMoves) {

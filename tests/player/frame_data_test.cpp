@@ -38,6 +38,8 @@ TEST(FrameData, OfAMeasuredObject) {
   object.class_id = 2;
   object.score = 0.75F;
   object.segmented = true;
+  object.point_speed = 2.5;
+  object.point_speed_sigma = 1.25;
   object.fused_velocity = {0, 3, 4};
   object.fused_covariance = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   dot::Result result = tracked(hand_made);
@@ -77,6 +79,9 @@ TEST(FrameData, OfAMeasuredObject) {
   EXPECT_DOUBLE_EQ(o["p"].real(), 0.97);
   EXPECT_DOUBLE_EQ(o["speed"].real(), 2);
   EXPECT_DOUBLE_EQ(o["sigma"].real(), 0.1);
+  EXPECT_DOUBLE_EQ(o["pointSpeed"].real(), 2.5);
+  EXPECT_DOUBLE_EQ(o["pointSigma"].real(), 1.25);
+  EXPECT_FALSE(is_there(o, "turning"));
   EXPECT_DOUBLE_EQ(o["limit"].real(), 0.5);
   EXPECT_DOUBLE_EQ(o["phi"].real(), 0.95);
   EXPECT_DOUBLE_EQ(o["range"].real(), 10);
@@ -104,9 +109,16 @@ TEST(FrameData, WhatWasNotMeasuredIsAbsent) {
   const cv::FileNode o = data["objects"][0];
   EXPECT_EQ(o["reason"].string(), "hidden");
   EXPECT_EQ(o["state"].string(), "unobservable");
-  for (const char* name : {"speed", "sigma", "limit", "phi", "range", "points", "fused", "decided", "always",
-                           "discovered", "outline", "predicted", "texture"})
+  for (const char* name : {"speed", "sigma", "pointSpeed", "pointSigma", "turning", "limit", "phi", "range", "points",
+                           "fused", "decided", "always", "discovered", "outline", "predicted", "texture"})
     EXPECT_FALSE(is_there(o, name)) << name;
+}
+
+TEST(FrameData, OfAnObjectThatTurns) {
+  HandMadeResult hand_made(frame_size);
+  dot::ObjectResult& object = add_measured(hand_made, 4, dot::State::Moving, {40, 30, 20, 16});
+  object.point_speed = 5;
+  EXPECT_TRUE(is_there(parsed(frame_data(wall(0), tracked(hand_made), 1, {}, {}))["objects"][0], "turning"));
 }
 
 TEST(FrameData, NumbersThatAreNoneAreAbsent) {

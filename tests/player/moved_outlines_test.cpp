@@ -70,6 +70,17 @@ TEST(MovedOutlines, PixelsWithoutDepthGoWithTheOthers) {
   EXPECT_TRUE(predicted(tracked(hand_made), holes).empty()) << "no depth at all";
 }
 
+TEST(MovedOutlines, NoneOfWhatWasHiddenInTheFrameBefore) {
+  HandMadeResult seen(frame_size), hidden(frame_size);
+  add_measured(seen, 4, dot::State::Moving, before);
+  hidden.add(4, dot::State::Moving, cv::Rect());
+  MovedOutlines moved(camera);
+  moved.next(wall(0), seen.result());
+  moved.next(wall(1), tracked(hidden));
+  EXPECT_EQ(moved.next(wall(2), tracked(seen)).count(4), 0U);
+  EXPECT_EQ(moved.next(wall(3), tracked(seen)).count(4), 1U);
+}
+
 TEST(MovedOutlines, NoneAfterAGuessedMotionOrOutOfSight) {
   HandMadeResult hand_made(frame_size);
   dot::ObjectResult& object = add_measured(hand_made, 4, dot::State::Moving, before);

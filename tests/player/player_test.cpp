@@ -78,6 +78,7 @@ TEST(Player, SaysWhatCannotBeWritten) {
   EXPECT_THROW(Player(folder.path() / "none" / "run.html", info()), runner::FileError);
   fs::create_directory(folder.path() / "folder.html");
   EXPECT_THROW(Player(folder.path() / "folder.html", info()), runner::FileError);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1) << "nothing is left";
 }
 
 TEST(Player, IsOnePageThatLoadsNothing) {

@@ -30,6 +30,13 @@ def data_of(path):
     return [json.loads(frame) for frame in frames]
 
 
+def edit_page(path, pattern, replacement):
+    with open(path, encoding="utf-8") as file:
+        text = re.sub(pattern, replacement, file.read())
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
 def write_black(path, width, height):
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
@@ -152,9 +159,11 @@ class Whole(unittest.TestCase):
     def test_click_on_an_object_selects_it(self):
         number = 7
         self.go(number)
+        clicked = 0
         for identity, o in self.objects(number).items():
             if o["area"] == 0 or "texture" not in o:
                 continue
+            clicked += 1
             self.click_pixel(*o["texture"][:2])
             self.assertEqual(self.selected_rows(), [str(identity)])
             self.assertEqual(self.browser.text("#why"), o["why"])
@@ -162,6 +171,7 @@ class Whole(unittest.TestCase):
             for plot in ("speed", "p", "phi", "range"):
                 self.assertEqual(self.count(f"#plot-{plot} line.now"), 1)
             self.assertEqual(self.count("#overlay path.selected"), 1)
+        self.assertGreater(clicked, 1, "the data")
         self.click_pixel(2, 2)
         self.assertEqual(self.selected_rows(), [])
         self.assertEqual(self.count("#plots svg"), 0)
@@ -179,7 +189,8 @@ class Whole(unittest.TestCase):
             self.assertEqual(row[2], names[o["state"]])
             self.assertAlmostEqual(float(row[3]), o["p"], delta=0.0051)
             self.assertEqual(row[7], o["words"])
-            for cell, name in ((4, "speed"), (5, "sigma"), (6, "range")):
+            speed, sigma = ("pointSpeed", "pointSigma") if "turning" in o else ("speed", "sigma")
+            for cell, name in ((4, speed), (5, sigma), (6, "range")):
                 self.assertEqual(row[cell] == "", name not in o)
                 if name in o:
                     self.assertAlmostEqual(float(row[cell]), o[name], delta=0.051)
@@ -219,6 +230,7 @@ class Whole(unittest.TestCase):
         number = 8  # it has masks
         self.go(number)
         objects = [o for o in self.objects(number).values() if o["area"] > 0]
+        self.assertGreater(len({o["state"] for o in objects}), 1, "the data")
         for layer, state in enumerate(("moving", "static", "unobservable"), 1):
             there = sum(o["state"] == state for o in objects)
             self.assertEqual(self.count(f"#overlay path.object.{state}"), there)
@@ -342,6 +354,35 @@ class Small(unittest.TestCase):
         self.assertEqual(browser.text("#play"), "Play")
         self.assertEqual(browser.complaints, [])
 
+    def test_objects_that_turn(self):
+        """On the spot, by centimetres per second: no speed is shown as zero."""
+        page = page_of("one", 6)
+        turning = {"speed": 0, "sigma": 0.004, "fused": 0, "limit": 0.02, "pointSpeed": 0.061, "pointSigma": 0.011,
+                   "turning": True}
+
+        def turn(match):
+            frame = json.loads(match.group(2))
+            for o in frame["objects"]:
+                if "speed" in o:
+                    o.update(turning)
+            return match.group(1) + json.dumps(frame) + match.group(3)
+
+        edit_page(page, r'(<script type="application/json" class="frame">)(.*?)(</script>)', turn)
+        browser = self.look_at(page)
+        browser.key("End")
+        moving = next(o for o in data_of(page)[5]["objects"] if o["state"] == "moving" and "speed" in o)
+        names = browser.value("[...document.querySelectorAll('#overlay text')].map(t => t.textContent)")
+        self.assertIn(f"#{moving['id']} 0.061 m/s", names)
+        row = f"#table tr[data-id='{moving['id']}']"
+        self.assertEqual([browser.text(f"{row} td:nth-child({i})") for i in (5, 6)], ["0.061", "0.011"])
+        browser.click_on(row)
+        ticks = browser.value("[...document.querySelectorAll('#plot-speed text')].map(t => t.textContent)")
+        self.assertEqual(ticks[:3], ["0", "0.04", "0.08"])
+        tops = browser.value("['points', 'limit', 'fused'].map(kind => "
+                             "document.querySelector('#plot-speed polyline.' + kind).points[0].y)")
+        self.assertEqual(sorted(tops), tops, "the points are the fastest")
+        self.assertEqual(browser.complaints, [])
+
     def test_late_masks(self):
         # Frame 0's masks come after frame 3, those of frame 4 not before the end.
         browser = self.look_at(page_of("late", 6, "--mask-every", "4", "--mask-delay", "3"))
@@ -354,10 +395,7 @@ class Small(unittest.TestCase):
 
     def test_no_frames(self):
         page = page_of("one", 1)
-        with open(page, encoding="utf-8") as file:
-            text = re.sub(r'<script type="(application/json|text/plain)" class=".*?</script>\n', "", file.read())
-        with open(page, "w", encoding="utf-8") as file:
-            file.write(text)
+        edit_page(page, r'<script type="(application/json|text/plain)" class=".*?</script>\n', "")
         browser = self.look_at(page)
         self.assertEqual(browser.text("#summary"), "This run has no frames.")
         for key in ("ArrowRight", "ArrowDown", "n", " ", "End"):

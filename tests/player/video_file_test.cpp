@@ -62,6 +62,7 @@ TEST(VideoFile, SaysWhatCannotBeWritten) {
   EXPECT_THROW(player::VideoFile(folder.path() / "none" / "video.mp4", 10), runner::FileError);
   fs::create_directory(folder.path() / "folder.mp4");
   EXPECT_THROW(player::VideoFile(folder.path() / "folder.mp4", 10), runner::FileError);
+  EXPECT_EQ(files_in(folder.path()), 1) << "nothing is left";
 }
 
 #else

@@ -91,6 +91,17 @@ def test_types(change):
     assert same(found, PLAIN)
 
 
+@pytest.mark.parametrize("row", [lambda mask: mask[::-1][100:101], lambda mask: np.broadcast_to(mask[100], (1, 320))],
+                         ids=["upside down", "broadcast"])
+def test_a_single_row(tracker, row):
+    """numpy takes it for contiguous, whatever its strides."""
+    mask = row(IDS == 1)
+    assert mask.shape == (1, 320) and mask.any()
+    result = track(tracker, 0, masks=[Instance(1, mask, y=100), Instance(2, IDS == 2)])
+    assert [item.instance_id for item in result.objects] == [1, 2]
+    assert result.objects[0].box[1::2] == (100, 1)
+
+
 def test_no_masks_and_none_found():
     def count(masks):
         return len(three_frames(lambda grey, depth, ids: {"masks": masks}).table)
@@ -146,6 +157,17 @@ GREY, DEPTH, IDS = demo.draw(0)
     ("masks.instances[0].id", [Instance(-1, IDS > 0)], "is -1"),
     ("masks.instances[0].id", [Instance(2**32, IDS > 0)], "is 4294967296"),
     ("masks.instances[0].x", [Instance(1, IDS > 0, x=0.5)], "is 0.5"),
+    ("image", [[1, 2], [3]], "is no array"),
+    ("masks", [[1, 2], [3]], "is no array"),
+    ("masks", (item for item in [Instance(1, IDS > 0)]), "is object of shape ()"),
+    ("masks.instances[0].mask", [Instance(1, [[1, 2], [3]])], "is no array"),
+    ("masks.instances", Masks(IDS, None), "is NoneType, must be a list of dot_slam.Instance"),
+    ("masks.instances", Masks(IDS, (Instance(i) for i in (1, 2))), "is generator, must be a list"),
+    ("masks.instances[1].score", Masks(IDS, [Instance(1), Instance(2, score="high")]), "is 'high', must be a number"),
+    ("masks.instances[0].score", Masks(IDS, [Instance(1, score=None)]), "is None, must be a number"),
+    ("masks.instances[0].score", Masks(IDS, [Instance(1, score=float("nan"))]), "is nan, must be -1e+06 to 1e+06"),
+    ("masks.instances[0].score", Masks(IDS, [Instance(1, score=float("inf"))]), "is inf, must be"),
+    ("masks.instances[0].score", Masks(IDS, [Instance(1, score=1e300)]), "is 1e+300, must be"),
 ])
 def test_wrong_arrays(tracker, field, wrong, text):
     """Named, and the tracker goes on as if nothing had been."""

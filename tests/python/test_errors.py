@@ -20,6 +20,8 @@ def camera(**changes):
 
 
 @pytest.mark.parametrize("field, arguments, text", [
+    ("camera", {"camera": None}, "is NoneType, must be dot_slam.Camera"),
+    ("camera", {"camera": (1, 2)}, "is tuple, must be dot_slam.Camera"),
     ("camera.fx", {"camera": camera(fx=0)}, "must be 1 to 1e6 pixels"),
     ("camera.fx", {"camera": camera(fx=float("nan"))}, ""),
     ("camera.fy", {"camera": camera(fy="280")}, "must be a number"),
@@ -32,6 +34,11 @@ def camera(**changes):
     ("velocity.v0", {"options": {"velocity.v0": float("inf")}}, "must be finite"),
     ("velocity.v0", {"options": {"velocity.v0": "1"}}, "'1', must be a number"),
     ("velocity.v0", {"options": {"velocity.v0": None}}, "None"),
+    ("options", {"options": [("threads", 1)]}, "is list, must be a dict"),
+    ("options", {"options": []}, "is list, must be a dict"),
+    ("options", {"options": {1: 2}}, "has the name 1, must be text"),
+    ("options", {"options": {"\ud800": 1}}, "must be text"),
+    ("options", {"options": {"threads\0x": 1}}, "must be text"),
     ("threads", {"options": {"threads": 1.5}}, "whole number"),
     ("threads", {"options": {"threads": 0}}, "256"),
     ("discover_unknown", {"options": {"discover_unknown": 2}}, "0 or 1"),
@@ -39,7 +46,7 @@ def camera(**changes):
     ("depth_source", {"depth_source": ["stereo"]}, "must be one of"),
     ("classifier", {"classifier": "guess"}, "velocity, entropy, entropy_literal"),
     ("colour", {"colour": "grey"}, "'bgr' or 'rgb'"),
-    ("depth_units_per_metre", {"depth_units_per_metre": 0}, "0.001 to 1e7"),
+    ("depth_units_per_metre", {"depth_units_per_metre": 0}, "0.001 to 1e+07"),
 ])
 def test_making(field, arguments, text):
     with pytest.raises(InvalidArgument) as caught:
@@ -72,6 +79,12 @@ def test_tracking(tracker, field, changes, text):
     assert caught.value.field == field
     assert str(caught.value).startswith(field) and text in str(caught.value)
     assert track(tracker, 2).frame_id == 1  # counted from 0; what failed does not count
+
+
+def test_frame_ids_end(tracker):
+    assert track(tracker, 0, frame_id=2**64 - 1).frame_id == 2**64 - 1
+    with pytest.raises(InvalidArgument, match="frame_id is 18446744073709551616, must be"):
+        track(tracker, 1)
 
 
 def test_camera_motion_and_prior_arrive(tracker):

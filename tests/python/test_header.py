@@ -67,6 +67,7 @@ def test_constants():
     for prefix in ("INSTANCE", "OBJECT", "EXCLUDE"):
         assert {name: getattr(c, f"{prefix}_{name}") for name in enum(prefix)} == enum(prefix)
     assert c.ABI_VERSION == int(re.search(r"#define DOT_ABI_VERSION (\d+)", HEADER).group(1))
+    assert c.HEADER_VERSION == int(re.search(r"#define DOT_HEADER_VERSION (\d+)", HEADER).group(1))
     text = (SOURCE / "include/dot/version.hpp").read_text(encoding="utf-8")
     assert f'DOT_VERSION_STRING "{dot_slam.__version__}"' in text
 

@@ -9,13 +9,14 @@ import pytest
 from dot_slam import _library
 
 
-def library(abi_version=_library.ABI_VERSION, without=()):
+def library(abi_version=_library.ABI_VERSION, version=_library.HEADER_VERSION, without=()):
     """Stands for one that was loaded."""
     class Functions:
         pass
 
     def function(name):
-        return (lambda: abi_version) if name == "dot_abi_version" else (lambda *_: 0)
+        value = {"dot_abi_version": abi_version, "dot_version": version}.get(name, 0)
+        return lambda *_: value
 
     made = Functions()
     for name in _library.FUNCTIONS:
@@ -24,8 +25,15 @@ def library(abi_version=_library.ABI_VERSION, without=()):
     return made
 
 
+def test_a_later_library(monkeypatch):
+    later = library(version=_library.HEADER_VERSION + 1)
+    monkeypatch.setattr(ctypes, "CDLL", lambda path: later)
+    assert _library._load() is later
+
+
 @pytest.mark.parametrize("found, text", [
     (library(abi_version=7), "has the binary interface 7, dot_slam needs 0"),
+    (library(version=_library.HEADER_VERSION - 1), "has the version 0.0.999, dot_slam needs 0.1.0 or a later one"),
     (library(without=["dot_submit_masks"]), "has no dot_submit_masks: it is older than dot_slam"),
 ])
 def test_another_library(monkeypatch, found, text):

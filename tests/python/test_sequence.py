@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """python -m dot_slam on what nobody made for it."""
 
+import os
+import re
 import shutil
 import subprocess
 import sys
@@ -57,6 +59,7 @@ def write(name, image):
     (lambda folder: (folder / "times.txt").write_text("0\n0.2\n0.1\n1"), "frame 2: timestamp: must be greater"),
     (lambda folder: (folder / "masks/000000.csv").write_text("id,class\nseven,car"), "000000.csv:2: id is 'seven'"),
     (lambda folder: (folder / "masks/000000.csv").write_text("1"), "000000.csv:1: must be id,class,score"),
+    (lambda folder: (folder / "masks/000000.csv").mkdir(), "000000.csv: cannot be read"),
     (write("rgb/000001.png", np.zeros((188, 619, 3), np.uint8)), "frame 1: image has shape (188, 619, 3)"),
     (write("depth/000001.png", np.zeros((188, 620), np.uint8)), "frame 1: depth is uint8"),
     (write("masks/000000.png", np.zeros((188, 620, 3), np.uint8)), "frame 0: masks.ids is uint8 of shape"),
@@ -64,7 +67,11 @@ def write(name, image):
     (break_intrinsics("1 2 3 4 5 6 7"), "has 7 numbers"),
     (break_intrinsics("a 2 3 4 5 6 7 8"), "fx is 'a', must be a number"),
     (break_intrinsics("362 362 309 93 620 188.5 0.5 10"), "height is 188.5, must be a whole number"),
-    (break_intrinsics("362 362 309 93 620 188 0.5 0"), "fps is 0, must be > 0"),
+    (break_intrinsics("362 362 309 93 620 188 0.5 0"), "fps is 0, must be from 0.001 to 100000"),
+    (break_intrinsics("362 362 309 93 620 188 0.5 1e-4"), "fps is 0.0001, must be from"),
+    (break_intrinsics("362 362 309 93 620 188 0.5 1e6"), "fps is 1e+06, must be from"),
+    (break_intrinsics("3_62 362 309 93 620 188 0.5 10"), "fx is '3_62', must be a number"),
+    (break_intrinsics("362 362 309 93 1e10 188 0.5 10"), "width is 1e+10, must be a whole number"),
     (break_intrinsics("0 362 309 93 620 188 0.5 10"), "camera.fx"),
     (break_intrinsics("362 362 309 93 620 188 0.5 10\ndepth sonar"), "intrinsics.txt:2: must be 'depth stereo'"),
 ])
@@ -147,6 +154,30 @@ def test_without_masks_and_with_instances(folder, capsys):
     rows = [row.split(",") for row in (folder.parent / "out" / "objects.csv").read_text().splitlines()]
     states = {row[rows[0].index("state")] for row in rows[1:]}
     assert states == {"moving"}
+
+
+@pytest.mark.skipif("DOT_RUN" not in os.environ, reason="DOT_RUN does not name the program dot_run")
+@pytest.mark.parametrize("text", [
+    b"id,class,score\r\n1,car,0.5\r\n", b"1,2.0,0.5", b"1,1e1", b"1,-7,1", b"1,--5,1", b"1,\xd9\xa1,1",
+    b"1,caf\xe9,0.5", b"1,car,", b"1,,", b"1,car,0.5\x0c\n2,4", b"1,2\xe2\x80\xa8,1", b"1,nan", b"1,1_0",
+    b'1,"car",0.5', b"\n \n+1.0,3,1,more",
+    b'1,"car, red",0.5', b"1,1.5", b"1,3e9", b"1,car,1e7", b"1,car,nan", b"1,car, ", b",,", b"1", b"1,", b"1.5,car",
+    b"70000,car", b"1_0,car", b"2,3\nid,class,score",
+])
+def test_lists_of_instances_are_read_as_dot_run_does(folder, capsys, text):
+    """The same classes and scores in the same results, or an error of both that names the same line."""
+    (folder / "masks/000000.csv").write_bytes(text)
+    always = ["--always-dynamic", "caf\udce9,car"]
+    status, errors = run(folder, capsys, *always)
+    done = subprocess.run([os.environ["DOT_RUN"], folder, "--out", folder.parent / "by_dot_run", *always],
+                          capture_output=True, text=True)
+    assert (status == 0) == (done.returncode == 0), errors + done.stderr
+    if status == 0:
+        results = [(folder.parent / out / "objects.csv").read_bytes() for out in ("out", "by_dot_run")]
+        assert results[0] == results[1]
+    else:
+        lines = [re.search(r"000000\.csv:(\d+): \w+", words).group(0) for words in (errors, done.stderr)]
+        assert lines[0] == lines[1]
 
 
 def test_depth_source(folder):

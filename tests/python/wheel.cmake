@@ -6,14 +6,8 @@
 
 cmake_minimum_required(VERSION 3.22)
 
-function(run)
-  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${WORK}/empty" OUTPUT_VARIABLE out ERROR_VARIABLE out
-                  RESULT_VARIABLE status)
-  if(NOT status EQUAL 0)
-    message(FATAL_ERROR "${ARGN}: ${status}\n${out}")
-  endif()
-  set(output "${out}" PARENT_SCOPE)
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/../cmake/Run.cmake")
+set(RUN_IN "${WORK}/empty")
 
 # setuptools writes into its sources.
 file(REMOVE_RECURSE "${WORK}")

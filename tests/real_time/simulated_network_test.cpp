@@ -74,7 +74,7 @@ TEST(DelayedMasks, KeepAccount) {
   EXPECT_EQ(report.offered, 9);
   EXPECT_EQ(report.skipped, 4);
   EXPECT_EQ(report.refused, 0);
-  EXPECT_EQ(report.unfinished, 2);
+  EXPECT_EQ(report.unfinished(), 2);
   ASSERT_EQ(report.mask_latency.size(), 3U);
   EXPECT_NEAR(report.mask_latency[0], 0.25, 1e-9);
   EXPECT_NEAR(report.mask_latency[1], 0.3, 1e-9);

@@ -47,6 +47,7 @@ TEST(OutputFile, SaysWhatCannotBeWritten) {
   EXPECT_THROW(runner::OutputFile(folder.path() / "none" / "table.csv"), runner::FileError);
   fs::create_directory(folder.path() / "folder");
   EXPECT_THROW(runner::OutputFile(folder.path() / "folder"), runner::FileError);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1) << "nothing is left";
 }
 
 TEST(OutputFile, OnAFullDiskKeepsTheOldOne) {

@@ -118,7 +118,7 @@ enum {
 
 /// dot_options.classifier.
 enum {
-  DOT_CLASSIFIER_VELOCITY = 0,  ///< belief over the velocity of the object's centroid
+  DOT_CLASSIFIER_VELOCITY = 0,  ///< belief over the velocities of the object's points
   DOT_CLASSIFIER_ENTROPY = 1,   ///< the paper's rule with the gate H < H_max
   DOT_CLASSIFIER_ENTROPY_LITERAL = 2
 };
@@ -193,8 +193,8 @@ typedef struct dot_options {
   int32_t object_points;        ///< budget for one object
   uint32_t setting_count;       ///< length of `settings`
   const dot_setting* settings;  ///< further settings, applied last; may be NULL if there are none
-  double v0;                    ///< m/s: faster objects count as moving
-  double stereo_sigma_px;       ///< pixels: disparity noise of one pixel
+  double v0;  ///< m/s: faster objects count as moving; near ones at less, setting velocity.v0_per_square_metre
+  double stereo_sigma_px;  ///< pixels: disparity noise of one pixel
 } dot_options;
 
 /// One instance of a segmentation. All elements of an array have the same struct_size.
@@ -297,10 +297,10 @@ typedef struct dot_object {
   double fused_covariance[9];
 
   /* The single fit of this frame, continued. */
-  double angular_velocity[3];  ///< rad/s, previous camera's axes
-  double angular_covariance[9];
-  double point_speed;        ///< m/s, of the object's points, turning included: root of the mean square
-  double point_speed_sigma;  ///< m/s, of the points' velocities: root of the mean trace of their covariances
+  double angular_velocity[3];    ///< rad/s, previous camera's axes; without the prior that T_o contains
+  double angular_covariance[9];  ///< (rad/s)^2, includes the errors of camera and depth
+  double point_speed;            ///< m/s, of the object's points, turning included: root of the mean square
+  double point_speed_sigma;      ///< m/s, of the points' velocities: root of the mean trace of their covariances
 } dot_object;
 
 /// The objects that dot_exclusion_mask excludes besides moving ones.

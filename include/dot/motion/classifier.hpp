@@ -43,8 +43,8 @@ inline constexpr bool holds_v<
 template <typename T>
 inline constexpr bool is_classifier_v = classifier_concept::holds_v<T>;
 
-/// Default: tests whether the centroid is faster than v0, by a belief over time, see Belief. A state is reached at the
-/// probability `decide` and kept down to `keep`.
+/// Default: tests whether the object is faster than v0 or turns as fast, by a belief over time, see Belief. A state is
+/// reached at the probability `decide` and kept down to `keep`.
 struct VelocityClassifier {
   VelocitySettings settings;
 

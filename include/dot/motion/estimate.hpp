@@ -37,8 +37,8 @@ struct MotionEstimate {
   MotionEstimate rotated(const Matrix3<double>& R) const;
 };
 
-/// Adds the squares of the distances of the points from the centroid, see MotionEstimate::inertia.
-DOT_INLINE Matrix3<double> inertia(const PointSet& points, const Vector3<double>& centroid);
+/// MotionEstimate::inertia of points, from at most 128 of them.
+DOT_INLINE Matrix3<double> inertia_of(const PointSet& points, const Vector3<double>& centroid);
 
 /// Differential entropy of a 6-dof Gaussian, H = 1/2 ln((2 pi e)^6 |Sigma|), nats (paper eq. 7). It is *high* if the
 /// motion is badly determined.

@@ -9,7 +9,7 @@ namespace dot {
 
 /// Which rule turns motion into a state.
 enum class ClassifierKind : std::uint8_t {
-  Velocity,       ///< belief over the centroid's velocity (default)
+  Velocity,       ///< belief over the velocities of the object's points (default)
   Entropy,        ///< the paper's rule, gate as H < H_max
   EntropyLiteral  ///< the paper's rule as printed, H > H_min; for comparison
 };

@@ -145,7 +145,7 @@ struct ObjectMotionEstimator {
     const Matrix3<double> K = without_prior(out.sigma.bottomRightCorner<3, 3>(), prior, dt);
     m.angular_velocity = K * so3::log(out.T_o.R) / dt;
     m.angular_covariance = velocity.rotation_scale * K * V.bottomRightCorner<3, 3>() * K.transpose();
-    m.inertia = inertia(reference.points, reference.centroid);
+    m.inertia = reference.inertia;
     m.entropy = entropy(out.sigma);
     const DynamicDisparity d =
         dynamic_disparity(reference.points, problem.camera, T_c, out.T_o, reference.centroid, out.sigma);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dot/camera_motion/camera_step.hpp"
+#include "dot/motion/estimate.hpp"
 #include "dot/points/point_set.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -14,6 +15,7 @@ DOT_BEGIN_NAMESPACE
 struct ObjectReference {
   PointSet points;
   Vector3<double> centroid = Vector3<double>::Zero();  ///< of the points, camera axes of that frame, metres
+  Matrix3<double> inertia = Matrix3<double>::Zero();   ///< of the points about it, see MotionEstimate
   Vector3<double> anchor = Vector3<double>::Zero();    ///< centre of its mask at its median depth; zero: no depth
   int area = 0;                                        ///< pixels of its mask with its depth
   double timestamp = 0;                                ///< seconds
@@ -28,12 +30,13 @@ struct ObjectReference {
     *this = std::move(fresh);
   }
 
-  /// Sets the centroid to the middle of the points.
+  /// Sets the centroid to the middle of the points, and their inertia.
   void set_centroid() {
     double x = 0, y = 0, q = 0;
     for (std::size_t i = 0; i < points.u.size(); ++i) x += points.x[i], y += points.y[i], q += points.q[i];
     const double n = points.size();
     centroid = Vector3<double>(x / n, y / n, 1) / (q / n);
+    inertia = inertia_of(points, centroid);
   }
 };
 

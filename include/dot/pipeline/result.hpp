@@ -54,8 +54,8 @@ struct ObjectResult {
   std::array<double, 3> velocity{};             ///< of the centroid, m/s, previous camera's axes
   std::array<double, 9> velocity_covariance{};  ///< includes the errors of camera and depth
   double speed = 0;                             ///< m/s
-  std::array<double, 3> angular_velocity{};     ///< rad/s, previous camera's axes
-  std::array<double, 9> angular_covariance{};
+  std::array<double, 3> angular_velocity{};     ///< rad/s, previous camera's axes; without the prior that T_o contains
+  std::array<double, 9> angular_covariance{};   ///< (rad/s)^2, includes the errors of camera and depth
   double point_speed = 0;         ///< m/s, of the object's points, turning included: root of the mean square
   double point_speed_sigma = 0;   ///< m/s, of the points' velocities: root of the mean trace of their covariances
   double phi = 0;                 ///< Pearson correlation

@@ -43,7 +43,7 @@ DOT_INLINE MotionEstimate MotionEstimate::rotated(const Matrix3<double>& R) cons
   return out;
 }
 
-DOT_INLINE Matrix3<double> inertia(const PointSet& points, const Vector3<double>& centroid) {
+DOT_INLINE Matrix3<double> inertia_of(const PointSet& points, const Vector3<double>& centroid) {
   constexpr std::size_t kEnough = 128;                // points
   Matrix3<double> squares = Matrix3<double>::Zero();  // mean of r r'
   int n = 0;

@@ -55,7 +55,7 @@ struct DirectAligner {
     const auto size = static_cast<std::size_t>(problem.points.size());
     if (!just_aligned || excluded_.size() != size) excluded_.assign(size, 0);
     residuals(problem, 0, a.state, a.sigma_intensity);
-    a.sigma_intensity = scale_of_residuals(a.sigma_intensity);
+    a.sigma_intensity = scale_of_residuals();
     const PointResiduals& p = residuals_;
     const auto r2 = [&](std::size_t i) { return sq(static_cast<double>(p.r[i])); };
     const auto s2 = [&](std::size_t i) { return sq(a.sigma_intensity) + static_cast<double>(p.extra[i]); };
@@ -166,8 +166,6 @@ struct DirectAligner {
 
  private:
   static constexpr std::size_t kScalePoints = 1000;         ///< enough for the residual scale, to 4 %
-  static constexpr int kScalePasses = 20;                   ///< limit; mostly two are enough
-  static constexpr double kSettled = 0.005;                 ///< relative change that ends the iteration of the scale
   static constexpr double kStep = 0.02, kCoarseStep = 0.5;  ///< squared sigmas: smaller steps end level 0, others
   static constexpr double kSameScale = 0.02;  ///< relative difference up to which two residual scales are the same
   static double sq(double x) { return x * x; }
@@ -192,36 +190,22 @@ struct DirectAligner {
                         problem.depth_at(level), residuals_);
   }
 
-  /// Robust sigma_I of the residuals that are not excluded, by fixed-point iteration. The median of squares is the
-  /// square of the median.
-  /// @param sigma start; 0: start from the value without any other noise.
-  double scale_of_residuals(double sigma = 0) {
+  /// Robust sigma_I of the residuals that are not excluded: that for which the median of r^2 / (sigma_I^2 + extra) is
+  /// the one of a normal, 1 / c^2 with c = kSigmaOfMedian. Half of the points then have c^2 r^2 - extra <= sigma_I^2,
+  /// so that sigma_I^2 is the median of the left side.
+  double scale_of_residuals() {
     const PointResiduals& p = residuals_;
-    squares_.resize(p.size());
-    extra_.resize(p.size());
+    scratch_.resize(p.size());
+    constexpr auto c2 = static_cast<float>(kSigmaOfMedian * kSigmaOfMedian);
+    const auto least = static_cast<float>(sq(settings.min_intensity_sigma));
     std::size_t n = 0;
     const std::size_t step = std::max<std::size_t>(1, p.size() / kScalePoints);
     for (std::size_t i = 0; i < p.size(); i += step) {
-      squares_[n] = p.r[i] * p.r[i];
-      extra_[n] = p.extra[i];
+      scratch_[n] = std::max(least, c2 * p.r[i] * p.r[i] - p.extra[i]);
       n += p.seen(i) && !(i < excluded_.size() && excluded_[i]);
     }
-    if (sigma <= 0) {
-      scratch_.assign(squares_.begin(), squares_.begin() + static_cast<std::ptrdiff_t>(n));
-      sigma = std::max(settings.min_intensity_sigma, sigma_of_median_square());
-    }
-    for (int pass = 0; pass < kScalePasses; ++pass) {
-      const float s2 = static_cast<float>(sigma * sigma);
-      scratch_.resize(n);
-      for (std::size_t i = 0; i < n; ++i) scratch_[i] = squares_[i] / (s2 + extra_[i]);
-      const double before =
-          std::exchange(sigma, std::max(settings.min_intensity_sigma, sigma * sigma_of_median_square()));
-      if (std::abs(sigma - before) < kSettled * before) break;
-    }
-    return sigma;
-  }
-  double sigma_of_median_square() {
-    return static_cast<double>(static_cast<float>(kSigmaOfMedian) * std::sqrt(median_of_magnitudes(scratch_)));
+    scratch_.resize(n);
+    return std::max(settings.min_intensity_sigma, static_cast<double>(std::sqrt(median_of_magnitudes(scratch_))));
   }
 
   /// H and g of a twist [x; a; b] from those of the twist about axes that are turned by R, [A x; a; b].
@@ -240,7 +224,7 @@ struct DirectAligner {
 
   PointResiduals residuals_;
   std::vector<std::uint8_t> excluded_;
-  Buffer<float> scratch_, squares_, extra_;
+  Buffer<float> scratch_;
 };
 
 DOT_END_NAMESPACE

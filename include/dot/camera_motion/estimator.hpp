@@ -63,9 +63,12 @@ struct CameraMotionEstimator {
       if (i == 0) first = found;
       add_near({predicted[i], found.gain, found.offset});
     }
-    if (predicted.back().log().norm() > 1e-3) add({SE3d{}, first.gain, first.offset}, top);
     workspace.few.take_every(std::max(1, points.size() / (search ? kSearched : kRanked)), points);
     const AlignProblem<Camera> few{workspace.few, image, camera};
+    if (predicted.back().log().norm() > 1e-3) {  // a part of the points finds the minimum, all of them measure it
+      const AlignState stands{SE3d{}, first.gain, first.offset};
+      add(aligner.align(few, stands, top, fine).state, fine);
+    }
     if (search) {
       const int level = CameraSearch::level_of(top + 1);
       search->find(few, depth, aligner.intensity_sigma(problem, first, level), aligner, workspace);
@@ -98,8 +101,14 @@ struct CameraMotionEstimator {
       for (Alignment& a : minima.found) a = aligner.align(problem, a.state, fine, fine);
       if (second) add_near(*second);
     }
+    // With a known velocity, minima that cost much more than the best one have no better ones beside them either.
     const std::size_t unshifted = minima.found.size();
+    const auto cost_of = [&](const Alignment& a) { return aligner.tukey_cost(few, a.state, fine, sigma); };
+    double lowest = std::numeric_limits<double>::infinity();
+    if (!search)
+      for (const Alignment& a : minima.found) lowest = std::min(lowest, cost_of(a));
     for (std::size_t i = 0; i < unshifted; ++i) {
+      if (!search && cost_of(minima.found[i]) > kHopeless * lowest) continue;
       shifted(few, minima.found[i], fine, sigma, depth, aligner, workspace);
       for (const AlignState& start : starts) add_near(start);
     }
@@ -135,7 +144,8 @@ struct CameraMotionEstimator {
   static constexpr int kEnoughRanked = 100;    ///< of these a minimum must see so many, or min_points if fewer
   static constexpr int kStepsAhead = 16;       ///< number of shifts to each side; 5 cm each on a road
   static constexpr int kSteps = 6;             ///< the same along the least determined direction
-  static constexpr double kHopeless = 1.5;     ///< largest cost of a shift, over the cost of its start
+  static constexpr double kHopeless =
+      1.5;  ///< largest cost of a shift over that of its start, of a start over the best
 
   /// Sets the starts to shifts that may lead to other minima. Shifts go along the optical axis, where the near ground
   /// looks alike at small steps, and along the least determined direction, without and with the rotation, gain and

@@ -26,7 +26,7 @@ void DirectAligner<Reduction>::refine(const AlignProblem<Camera>& problem, int l
     const double scale_before = a.sigma_intensity;
     residuals(problem, level, a.state, a.sigma_intensity);
     if (near) std::fill(excluded_.begin(), excluded_.end(), std::uint8_t{0});
-    a.sigma_intensity = scale_of_residuals(a.sigma_intensity);
+    a.sigma_intensity = scale_of_residuals();
     if (near) exclude_outliers(a);
     if (round > 0 && a.converged && std::abs(a.sigma_intensity - scale_before) < kSameScale * scale_before) break;
     const ResidualNoise noise = residual_noise(a.sigma_intensity);

@@ -48,8 +48,11 @@ struct Mask {
   void write(T value, Image<T>& frame) const {
     for (int v = 0; v < height(); ++v) {
       const std::uint8_t* set = pixels.row(v);
-      T* row = frame.row(y + v) + x;
-      for (int u = 0; u < width(); ++u) row[u] = set[u] ? value : row[u];
+      T* __restrict row = frame.row(y + v) + x;
+      for (int u = 0, end = width(); u < end; ++u) {  // compilers make SIMD code from this form
+        const T old = row[u];
+        row[u] = set[u] != 0 ? value : old;
+      }
     }
   }
 };

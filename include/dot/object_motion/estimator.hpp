@@ -26,9 +26,11 @@ struct ObjectMotionEstimator {
   VelocitySettings velocity;
 
   /// @param starts of T_o, in the reference camera's axes, the most trusted first; empty if all lie behind the camera.
+  /// @param coarsest level that the alignment may start on.
   template <typename Camera, typename Noise, typename Aligner>
   ObjectFit fit(const ReferencePair& pair, const ObjectScene<Camera>& scene, const std::vector<SE3d>& starts,
-                const KnownVelocity& known, const Noise& noise, Aligner& aligner, MinimaWorkspace& workspace) const {
+                const KnownVelocity& known, const Noise& noise, Aligner& aligner, MinimaWorkspace& workspace,
+                int coarsest = PointSet::kMaxLevels) const {
     const ObjectReference& reference = pair.reference;
     ObjectFit out;
     if (reference.points.size() < settings.min_points) {
@@ -37,7 +39,7 @@ struct ObjectMotionEstimator {
     }
     const AlignProblem<Camera> problem = object_problem(pair, scene, prior, noise);
 
-    int top = std::min(reference.points.levels, scene.image.size()) - 1;
+    int top = std::min({reference.points.levels - 1, scene.image.size() - 1, coarsest});
     while (top > 0 && std::sqrt(1.0 * reference.area) / (1 << top) < kLeastSize) --top;
     out = best_minimum(pair, problem, starts, starts.size(), top, known, noise, aligner, workspace);
     // Coarse levels mix an object with its occluder. They may lead the fit away from the known place.

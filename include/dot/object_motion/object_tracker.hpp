@@ -70,6 +70,7 @@ struct ObjectTracker {
  private:
   static constexpr std::size_t kRecent = 3;           ///< references that are tried for the last interval
   static constexpr int kOlder = 3;                    ///< older references that may be more precise
+  static constexpr int kOlderTop = 1;                 ///< coarsest level of their fits
   static constexpr std::ptrdiff_t kNearestMasks = 3;  ///< tried masks without a track; each costs an alignment
   static constexpr double kNearest = 0.05;            ///< metres before the camera
   static constexpr double kSamePixels = 0.5, kSameDepth = 0.01;  ///< closer starts are the same; share of depth
@@ -81,7 +82,7 @@ struct ObjectTracker {
   void fit_last_interval(Following& f) const;
   void use_known_velocity(Following& f) const;
   void fit_older(Following& f) const;
-  ObjectFit fit(const Following& f, const ReferencePair& pair) const;
+  ObjectFit fit(const Following& f, const ReferencePair& pair, int coarsest = PointSet::kMaxLevels) const;
   void add_evidence(Following& f, const ReferencePair& pair, const ObjectFit& fit, const ObjectFit& last) const;
   KnownVelocity known_velocity(const Following& f, const ReferencePair& pair) const;
   void set_starts(const Following& f, const ReferencePair& pair) const;

@@ -36,10 +36,10 @@ inline void cut_surface(ImageView<const float> inverse_depth, ImageView<const st
   for (int y = 0; y < mask.height; ++y) {
     const float* q = inverse_depth.row(y);
     const std::uint8_t* may = mask.row(y);
-    float* out = surface.row(y);
+    float* __restrict out = surface.row(y);
     for (int x = 0; x < mask.width; ++x) {
-      const float v = may[x] != 0 ? q[x] : 0;
-      out[x] = v >= least && v <= q_max ? v : 0;
+      const float v = q[x];
+      out[x] = ((may[x] != 0) & (v >= least) & (v <= q_max)) ? v : 0.0f;  // without branches, for SIMD code
     }
   }
 }

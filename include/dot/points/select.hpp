@@ -38,7 +38,7 @@ struct SelectionWorkspace {
   std::vector<std::uint8_t> everywhere;
   std::vector<kernel::PlaneSeed> seeds;  ///< pixels of the box
   std::vector<PlaneFit> planes;
-  std::vector<float> values;
+  std::vector<float> values, row;
   Image<std::uint8_t> mask, outside, outside_rows;
   Image<float> surface, nearer, nearer_rows;
 };

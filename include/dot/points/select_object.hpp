@@ -23,6 +23,7 @@ struct ObjectPoints {
 
 namespace selecting {
 
+constexpr int kLargeArea = 2500;       ///< pixels
 constexpr double kLevelRelief = 0.15;  ///< largest half size of an object, share of its distance, for constant depth
 
 /// Sets work.mask to the pixels of an object's box that may be points. They are in its eroded mask, its surface
@@ -32,38 +33,64 @@ inline void admit(ImageView<const float> frame, const Box& box, ImageView<const 
                   float level, float slack, SelectionWorkspace& work) {
   constexpr int kErosion = 2, kReach = 4;
   const int width = box.width, height = box.height;
+  const bool is_large = area > kLargeArea;
   // The pixels outside the object, with a rim.
   work.outside.resize(width + 2 * kErosion, height + 2 * kErosion);
   work.outside.fill(255);
-  work.nearer.resize(width + 2 * kReach, height + 2 * kReach);
+  for (int y = 0; y < height; ++y) {
+    const std::uint8_t* inside = mask.row(y);
+    std::uint8_t* outside = work.outside.row(y + kErosion) + kErosion;
+    for (int x = 0; x < width; ++x) outside[x] = inside[x] ? 0 : 255;
+  }
+  if (is_large)
+    dilate<2>(std::as_const(work.outside).view(), work.outside_rows, work.outside.view());
+  else
+    dilate<1>(std::as_const(work.outside).view(), work.outside_rows, work.outside.view());
+
+  // The nearest surface outside the object within kReach pixels, of a large object in blocks of 2x2 pixels.
+  const int shift = is_large ? 1 : 0, rim = width + 2 * kReach;
+  work.nearer.resize((rim + shift) >> shift, (height + 2 * kReach + shift) >> shift);
   work.nearer.fill(0);
+  work.row.resize(static_cast<std::size_t>(rim + 2));
+  float* const row = work.row.data();
+  std::fill_n(row, rim + 2, 0.0f);
   for (int y = -kReach; y < height + kReach; ++y) {
     if (box.y + y < 0 || box.y + y >= frame.height) continue;
     const int begin = std::max(-kReach, -box.x), end = std::min(width + kReach, frame.width - box.x);
     const float* depth = frame.row(box.y + y) + box.x;
-    float* out = work.nearer.row(y + kReach) + kReach;
-    std::copy(depth + begin, depth + end, out + begin);
-    if (y < 0 || y >= height) continue;
-    const std::uint8_t* inside = mask.row(y);
-    std::uint8_t* outside = work.outside.row(y + kErosion) + kErosion;
-    for (int x = 0; x < width; ++x) outside[x] = inside[x] ? 0 : 255;
-    for (int x = 0; x < width; ++x) out[x] = inside[x] ? 0 : out[x];
+    std::copy(depth + begin, depth + end, row + kReach + begin);
+    if (y >= 0 && y < height) {
+      const std::uint8_t* inside = mask.row(y);
+      for (int x = 0; x < width; ++x) row[kReach + x] = inside[x] ? 0 : row[kReach + x];
+    }
+    float* out = work.nearer.row((y + kReach) >> shift);
+    if (!is_large) {
+      std::copy_n(row, rim, out);
+      continue;
+    }
+    for (int x = 0; x < work.nearer.width(); ++x) {
+      const float a = row[2 * x], b = row[2 * x + 1], most = a > b ? a : b;
+      out[x] = out[x] > most ? out[x] : most;
+    }
   }
-  if (area > 2500)
-    dilate<2>(std::as_const(work.outside).view(), work.outside_rows, work.outside.view());
+  if (is_large)
+    dilate<kReach / 2>(std::as_const(work.nearer).view(), work.nearer_rows, work.nearer.view());
   else
-    dilate<1>(std::as_const(work.outside).view(), work.outside_rows, work.outside.view());
-  dilate<kReach>(std::as_const(work.nearer).view(), work.nearer_rows, work.nearer.view());
+    dilate<kReach>(std::as_const(work.nearer).view(), work.nearer_rows, work.nearer.view());
+
   work.mask.resize(width, height);
   for (int y = 0; y < height; ++y) {
     const float* depth = frame.row(box.y + y) + box.x;
     const float* surface = work.surface.row(y);
-    const float* nearer = work.nearer.row(y + kReach) + kReach;
+    const float* blocks = work.nearer.row((y + kReach) >> shift);
+    if (is_large && y % 2 == 0)
+      for (int x = 0; x < work.nearer.width(); ++x) row[2 * x] = row[2 * x + 1] = blocks[x];
+    const float* nearer = (is_large ? row : blocks) + kReach;
     const std::uint8_t* outside = work.outside.row(y + kErosion) + kErosion;
-    std::uint8_t* may = work.mask.row(y);
+    std::uint8_t* __restrict may = work.mask.row(y);
     for (int x = 0; x < width; ++x) {
-      const float q = surface[x] > 0 ? surface[x] : depth[x] > 0 ? 0 : level;
-      const bool admitted = (outside[x] == 0) & (q > 0) & (nearer[x] <= 1.15f * q + slack);
+      const float other = depth[x] > 0 ? 0.0f : level, q = surface[x] > 0 ? surface[x] : other;
+      const int admitted = (nearer[x] <= 1.15f * q + slack) & (q > 0) & (outside[x] == 0);
       may[x] = admitted ? 255 : 0;
     }
   }

@@ -100,7 +100,9 @@ void ObjectTracker<Camera, Noise, Aligner>::fit_older(Following& f) const {
     if (f.step.has_evidence && least >= f.evidence_variance) continue;  // it cannot be more precise
     const ReferencePair pair = pair_with_current(f, older);
     f.workspace.starts.assign(1, pair.camera.T_now_ref.inverse() * f.T_c() * f.step.T_o * older.T_obj_now_ref);
-    const ObjectFit found = fit(f, pair);
+    // The motion of the last interval leads to within a pixel or two of the place. Coarser levels would mix the object
+    // with what is beside it, and lead a slow one away.
+    const ObjectFit found = fit(f, pair, f.step.fit.ok() ? kOlderTop : PointSet::kMaxLevels);
     if (!found.ok()) continue;
     const ObjectFit shared =
         over_last_interval(found, f.T_c().inverse() * pair.camera.T_now_ref, seconds, acceleration);
@@ -110,9 +112,10 @@ void ObjectTracker<Camera, Noise, Aligner>::fit_older(Following& f) const {
 }
 
 template <typename Camera, typename Noise, typename Aligner>
-ObjectFit ObjectTracker<Camera, Noise, Aligner>::fit(const Following& f, const ReferencePair& pair) const {
+ObjectFit ObjectTracker<Camera, Noise, Aligner>::fit(const Following& f, const ReferencePair& pair,
+                                                     int coarsest) const {
   return estimator.fit(pair, f.scene, f.workspace.starts, known_velocity(f, pair), noise, f.workspace.aligner,
-                       f.workspace.minima);
+                       f.workspace.minima, coarsest);
 }
 
 /// Takes a fit as the evidence if it is more precise than the present one. @param last its share of the last interval.

@@ -71,7 +71,8 @@ struct StageSetup {
   Threads threads;
 
   operator Setup() const {
-    return {camera, classifier, noise, estimator, mask, selection, DepthSource::Rgbd, portable_kernels(), threads};
+    return {camera,  classifier, noise, estimator, mask, selection, DepthSource::Rgbd, portable_kernels(),
+            threads, false};
   }
 };
 

@@ -58,7 +58,7 @@ class Labeller {
 
   GrowWorkspace grow_workspace_;
   WarpWorkspace warp_workspace_;
-  WarpedMask expected_;
+  WarpedMask moved_, expected_;  ///< a hidden part in the current frame: on its level, and on level 0
 };
 
 DOT_END_NAMESPACE

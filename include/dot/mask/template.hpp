@@ -19,12 +19,14 @@ DOT_BEGIN_NAMESPACE
 
 /// An object's outline and surface in one frame. `warp` moves it into other frames.
 struct MaskTemplate {
+  int level = 0;  ///< of the image pyramid, whose pixels all below is in
   Mask mask;
   Image<float> inverse_depth;  ///< 1/m, crop of `mask`; smooth and without holes inside the mask, 0 outside
   double median = 0;           ///< 1/m, of the measured values that were used
   bool measured = false;       ///< false: the inverse depth is a guess, so the mask cannot be trimmed by depth
 
   void clear() {
+    level = 0;
     mask.clear();
     inverse_depth.resize(0, 0);
     median = 0;

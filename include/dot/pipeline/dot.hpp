@@ -106,7 +106,8 @@ class Dot {
             options_.selection,
             options_.depth_noise.source,
             kernels(),
-            threads};
+            threads,
+            options_.discover_unknown};
   }
 
   Camera camera_;

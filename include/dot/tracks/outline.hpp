@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <utility>
+
+#include "dot/frame/frame_data.hpp"
+#include "dot/mask/coarse_outline.hpp"
 #include "dot/mask/hidden_part.hpp"
 #include "dot/mask/settings.hpp"
 #include "dot/mask/template.hpp"
@@ -13,21 +18,28 @@ DOT_BEGIN_NAMESPACE
 /// Buffers of a thread that moves outlines.
 struct OutlineWorkspace {
   WarpWorkspace warp;
-  WarpedMask moved;  ///< not trimmed
+  WarpedMask moved;  ///< on the template's level
+  Mask mask;
   HiddenPart hidden_part;
   TemplateWorkspace shape;
 };
 
 /// An object's outline over time: its last observed mask, and where that is now. `now` is the newest frame that the
 /// object was followed to.
+///
+/// Of a large object a coarse outline is made first. It predicts where the next mask is to be expected. The whole one
+/// is made when the next frame has no mask of the object, which needs the frame of the last one.
 struct TrackedOutline {
-  MaskTemplate shape;        ///< the last observed mask
-  MaskTemplate hidden_part;  ///< the part that something nearer hid then
+  MaskTemplate shape;        ///< the last observed mask, at full resolution; see `shape_frame`
+  MaskTemplate coarse;       ///< the same on a coarse level, if it is large
+  MaskTemplate hidden_part;  ///< the part that something nearer hid then, on any level
+  FramePtr shape_frame;      ///< the frame of the mask, as long as `shape` has no depth yet; null: it has
   SE3d T_now_shape;          ///< composed motion of the object's points since then
   bool is_newest = false;    ///< the shape is of the last segmented frame, and the camera's motion since is known
 
-  WarpedMask warped;   ///< the shape in the current frame
-  SE3d T_frame_shape;  ///< the motion of that warp
+  WarpedMask warped;       ///< the shape in the current frame
+  bool is_coarse = false;  ///< `warped` is a prediction on a coarse level; it then has no inverse depths
+  SE3d T_frame_shape;      ///< the motion of that warp
 
   Mask mask;                  ///< the part shown in the current frame
   bool visible = false;       ///< whether `mask` shows anything
@@ -38,35 +50,69 @@ struct TrackedOutline {
   template <typename Camera>
   void warp_by(const SE3d& T, const Image<float>& inverse_depth, const Camera& camera, const MaskSettings& settings,
                OutlineWorkspace& workspace) {
+    complete(settings, workspace);
     const ImageView<const float> trim_by = shape.measured ? inverse_depth.view() : ImageView<const float>{};
     warp(shape, T, camera, trim_by, settings.depth_tolerance, workspace.warp, warped);
+    is_coarse = false;
+    T_frame_shape = T;
+  }
+
+  /// The same on a coarse level, if the shape is large.
+  template <typename Camera>
+  void predict_by(const SE3d& T, const DepthPyramid& depth, const Camera& camera, const MaskSettings& settings,
+                  OutlineWorkspace& workspace) {
+    if (coarse.level == 0) return warp_by(T, depth.levels[0], camera, settings, workspace);
+    warp_on_level(coarse, T, camera, &depth, settings.depth_tolerance, workspace.warp, workspace.moved);
+    enlarge(workspace.moved, coarse.level, warped);
+    is_coarse = true;
     T_frame_shape = T;
   }
 
   /// Makes an observed mask the new shape.
-  /// @param T_frame_old motion of the object's points from the old shape to the mask's frame. @param inverse_depth of
-  /// that frame. @param far 1/m, assumed where no depth was ever measured.
+  /// @param T_frame_old motion of the object's points from the old shape to the mask's frame. @param frame the mask's.
+  /// @param far 1/m, assumed where no depth was ever measured.
   template <typename Camera>
-  void take(const Mask& observed, const SE3d& T_frame_old, const Image<float>& inverse_depth, double far,
-            const Camera& camera, const MaskSettings& settings, OutlineWorkspace& workspace) {
-    remember_hidden_part(observed, T_frame_old, inverse_depth, camera, settings, workspace);
+  void take(const Mask& observed, const SE3d& T_frame_old, const FramePtr& frame, double far, const Camera& camera,
+            const MaskSettings& settings, OutlineWorkspace& workspace) {
+    remember_hidden_part(observed, T_frame_old, frame->depth, camera, settings, workspace);
     const double q = shape.median > 0 ? shape.median : far;
-    if (!make_template(observed, inverse_depth.view(), settings.depth_tolerance, workspace.shape, shape))
-      make_flat_template(observed, q, shape);
     contradicted = false;
+    if (make_coarse_template(observed, frame->depth, settings.depth_tolerance, workspace.shape, coarse)) {
+      shape.mask = observed;
+      shape.median = coarse.median;
+      shape.measured = true;
+      shape_frame = frame;
+      return;
+    }
+    shape_frame.reset();
+    if (!make_template(observed, frame->inverse_depth().view(), settings.depth_tolerance, workspace.shape, shape))
+      make_flat_template(observed, q, shape);
   }
 
  private:
+  /// Gives the shape its depth, if that was put off.
+  void complete(const MaskSettings& settings, OutlineWorkspace& workspace) {
+    if (!shape_frame) return;
+    const double q = shape.median;
+    std::swap(workspace.mask, shape.mask);
+    if (!make_template(workspace.mask, shape_frame->inverse_depth().view(), settings.depth_tolerance, workspace.shape,
+                       shape))
+      make_flat_template(workspace.mask, q, shape);
+    shape_frame.reset();
+  }
+
   /// Remembers the part of the outline that is hidden while a mask shows the rest. It is recognised when it comes out.
   template <typename Camera>
-  void remember_hidden_part(const Mask& observed, const SE3d& T_frame_old, const Image<float>& inverse_depth,
+  void remember_hidden_part(const Mask& observed, const SE3d& T_frame_old, const DepthPyramid& depth,
                             const Camera& camera, const MaskSettings& settings, OutlineWorkspace& workspace) {
     workspace.hidden_part.clear();
-    for (const MaskTemplate* part : {&shape, &hidden_part}) {
+    const MaskTemplate& old = coarse.level > 0 ? coarse : shape;
+    for (const MaskTemplate* part : {&old, static_cast<const MaskTemplate*>(&hidden_part)}) {
       if (!part->measured) continue;
-      if (part == &shape && warped.occluded_area < settings.min_pixels) continue;
-      warp(*part, T_frame_old, camera, {}, 0, workspace.warp, workspace.moved);
-      workspace.hidden_part.add(workspace.moved, inverse_depth.view(), settings.depth_tolerance, observed);
+      if (part == &old && warped.occluded_area < settings.min_pixels) continue;
+      warp_on_level(*part, T_frame_old, camera, nullptr, 0, workspace.warp, workspace.moved);
+      workspace.hidden_part.add(workspace.moved, depth.levels[static_cast<std::size_t>(part->level)].view(),
+                                settings.depth_tolerance, observed, part->level);
     }
     workspace.hidden_part.make_template(hidden_part);
   }

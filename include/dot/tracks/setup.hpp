@@ -23,6 +23,7 @@ struct TrackingSetup {
   DepthSource depth_source;
   const kernel::Kernels& kernels;
   const Threads& threads;
+  bool exact_predictions;  ///< predicted outlines are needed at full resolution
 };
 
 DOT_END_NAMESPACE

@@ -42,12 +42,14 @@ struct Track {
     Track fresh;
     fresh.identity.id = id;
     outline.shape.clear();
+    outline.coarse.clear();
     outline.hidden_part.clear();
     outline.warped.clear();
     outline.mask.clear();
     motion.references.clear();
     motion.path.clear();
     std::swap(fresh.outline.shape, outline.shape);
+    std::swap(fresh.outline.coarse, outline.coarse);
     std::swap(fresh.outline.hidden_part, outline.hidden_part);
     std::swap(fresh.outline.warped, outline.warped);
     std::swap(fresh.outline.mask, outline.mask);

@@ -61,9 +61,9 @@ class Tracks {
 
   /// Sets the masks of the current frame: the observation if there is one, otherwise the outline moved by T_c T_o. An
   /// observation that no track explains, now that the motions are known, becomes a new track.
-  /// @param segmented there are masks of a network for this frame.
+  /// @param frame the current one. @param segmented there are masks of a network for it.
   /// @return how many of these were too small to start a track.
-  int place(const Interval& interval, bool segmented, Observations& observations,
+  int place(const Interval& interval, const FramePtr& frame, bool segmented, Observations& observations,
             const Discovery<Camera, Noise>& discovery, const Setup& setup);
 
   /// Adds the current frame to a track's references.
@@ -106,8 +106,8 @@ class Tracks {
               const Discovery<Camera, Noise>& discovery, const Setup& setup, Worker& worker) const;
   void decide(Track& t, const FrameData& cur, const Matrix3<double>& R_cur_fit, double seconds, double dt,
               const Discovery<Camera, Noise>& discovery, const Setup& setup) const;
-  void place(Track& t, const Interval& interval, bool segmented, const Discovery<Camera, Noise>& discovery,
-             const Setup& setup, Worker& worker) const;
+  void place(Track& t, const Interval& interval, const FramePtr& frame, bool segmented,
+             const Discovery<Camera, Noise>& discovery, const Setup& setup, Worker& worker) const;
   void align_backwards(Track& t, const Interval& interval, const Discovery<Camera, Noise>& discovery,
                        const Setup& setup, Worker& worker) const;
   static bool may_touch(const Track& a, const Track& b);

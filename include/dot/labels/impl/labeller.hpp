@@ -86,8 +86,9 @@ void Labeller<Camera, Noise>::show_new_parts(const Track& t, const FrameData& cu
                                   std::hypot(noise.prior_pixel_sigma(q), noise.prior_shared_sigma(q)));
     return std::min(3 * std::sqrt(2.0) * sigma / q, settings.depth_tolerance);
   };
-  if (!t.outline.hidden_part.mask.empty()) {
-    warp(t.outline.hidden_part, t.outline.T_now_shape, camera, {}, 0, warp_workspace_, expected_);
+  if (const MaskTemplate& hidden = t.outline.hidden_part; !hidden.mask.empty()) {
+    warp_on_level(hidden, t.outline.T_now_shape, camera, nullptr, 0, warp_workspace_, moved_);
+    enlarge_surface(moved_, hidden.level, expected_);
     reveal(expected_, segmented, T_seg_object, T_seg_static, camera, inverse_depth, t.identity.id, tolerance, ids_,
            box);
   }

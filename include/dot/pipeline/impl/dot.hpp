@@ -89,7 +89,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   ends(Stage::Objects);
 
   // Masks warped by T_c T_o; new objects; labels.
-  result_.small_instances = tracks_.place(interval, segmented, observations_, discovery_, setup());
+  result_.small_instances = tracks_.place(interval, current_, segmented, observations_, discovery_, setup());
   labeller_.label(tracks_.far_to_near(), current_, camera_step, segmented, camera_, depth_noise, options_.mask);
   ends(Stage::Label);
 

@@ -63,8 +63,11 @@ void Tracks<Camera, Classifier, Noise, Aligner>::predict(Track& t, const Interva
     if (r.points.subtract_bias(interval.cur.bias, setup.camera.width(), setup.camera.height())) r.set_centroid();
   const SE3d T_cur_prev = camera.T_cur_prev * t.belief.expected_motion(camera.seconds);
   t.expected = t.motion.position_now.moved(T_cur_prev);
-  t.outline.warp_by(T_cur_prev * t.outline.T_now_shape, interval.cur.inverse_depth(), setup.camera, setup.mask,
-                    worker.outline);
+  const SE3d T_cur_shape = T_cur_prev * t.outline.T_now_shape;
+  if (setup.exact_predictions)
+    t.outline.warp_by(T_cur_shape, interval.cur.inverse_depth(), setup.camera, setup.mask, worker.outline);
+  else
+    t.outline.predict_by(T_cur_shape, interval.cur.depth, setup.camera, setup.mask, worker.outline);
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -148,8 +151,8 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval
   TrackedOutline& outline = t.outline;
   outline.T_now_shape = camera.T_cur_prev * T_o_outline * outline.T_now_shape;
   // An observed object needs no prediction, and a static one was predicted by the same motion.
-  const bool same =
-      outline.T_frame_shape.R == outline.T_now_shape.R && outline.T_frame_shape.t == outline.T_now_shape.t;
+  const bool same = !outline.is_coarse && outline.T_frame_shape.R == outline.T_now_shape.R &&
+                    outline.T_frame_shape.t == outline.T_now_shape.t;
   if (!t.observed && !same)
     outline.warp_by(outline.T_now_shape, interval.cur.inverse_depth(), setup.camera, setup.mask, worker.outline);
 }

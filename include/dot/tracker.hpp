@@ -23,7 +23,9 @@ class DOT_EXPORT Tracker {
   /// @throws std::invalid_argument naming the field of `camera` or `options` that is out of range.
   explicit Tracker(const Intrinsics& camera, const Options& options = {});
   ~Tracker();
+  /// Takes over the state of another tracker, which may then only be destroyed or assigned to.
   Tracker(Tracker&&) noexcept;
+  /// Takes over the state of another tracker, which may then only be destroyed or assigned to.
   Tracker& operator=(Tracker&&) noexcept;
 
   /// Labels the objects of one frame. The result is valid until the next call on this tracker.
@@ -48,6 +50,7 @@ class DOT_EXPORT Tracker {
   /// threads are used.
   void set_pool(ThreadPool pool);
 
+  /// The settings given to the constructor.
   const Options& options() const;
 
  private:

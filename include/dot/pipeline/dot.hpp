@@ -48,12 +48,12 @@ class Dot {
   static_assert(is_depth_noise_v<Noise>, "Noise must satisfy the concept in dot/camera/depth_noise.hpp");
 
  public:
-  Classifier classifier;
-  Noise depth_noise;
-  Aligner aligner;
-  CameraMotionEstimator camera_estimator;
-  ObjectMotionEstimator object_estimator;
-  Threads threads;  ///< they call the policies concurrently, each with a copy of the aligner
+  Classifier classifier;                   ///< decides whether an object moves
+  Noise depth_noise;                       ///< of the depth; the pipeline learns its scales where it is a DepthNoise
+  Aligner aligner;                         ///< aligns points to images
+  CameraMotionEstimator camera_estimator;  ///< the camera's motion
+  ObjectMotionEstimator object_estimator;  ///< the objects' motions
+  Threads threads;                         ///< they call the policies concurrently, each with a copy of the aligner
 
   /// @throws std::invalid_argument naming the option that is out of range.
   explicit Dot(const Camera& camera, const Options& options = {});
@@ -76,6 +76,7 @@ class Dot {
   /// Forgets all frames and objects. Keeps the buffers and never reuses an id.
   void reset() noexcept;
 
+  /// The settings given to the constructor.
   const Options& options() const { return options_; }
 
  private:

@@ -39,7 +39,9 @@ struct OptionRange {
 /// impossible speed.
 template <typename AnyOptions, typename Visitor>
 void for_each_option_range(AnyOptions& o, Visitor&& visit) {
+/// @cond
 #define DOT_OPTION(path, low, high) visit(#path, o.path, OptionRange{low, high})
+  /// @endcond
   DOT_OPTION(selection.background_points, 1, 1e6);
   DOT_OPTION(selection.object_points, 1, 1e5);
   DOT_OPTION(selection.min_object_pixels, 0, 1e9);

@@ -32,7 +32,8 @@ class Stage:
         self.marks = []
         self.files = set()
         headers = (p.read_text() for p in (root / "include").rglob("*.hpp"))
-        self.classes = {name for text in headers for name in NAMES_OF_CLASSES.findall(text)}
+        classes = sorted({name for text in headers for name in NAMES_OF_CLASSES.findall(text)})
+        self.words = re.compile(r"\[[^\[\]]*\]\([^()]*\)|\b(?:" + "|".join(classes) + r")\b")  # links stay as they are
 
     def mark(self, kind, text, **more):
         self.marks.append({"kind": kind, "text": text, **more})
@@ -62,7 +63,7 @@ class Stage:
         text = markdown.MATH.sub(lambda m: self.mark("math", m[1]), text)
         text = markdown.CODE.sub(lambda m: self.mark("code", " ".join(m[1].split())), text)
         text = markdown.LINK.sub(lambda m: self.link(page, m), text)
-        text = re.sub(r"\b(" + "|".join(sorted(self.classes)) + r")\b(?![^<>\n]*>)", r"%\1", text)
+        text = self.words.sub(lambda m: m[0] if m[0][0] == "[" else "%" + m[0], text)
         return markdown.HEADING.sub(lambda m: self.heading(page, m, next(anchors)), text)
 
     def heading(self, page, match, known):

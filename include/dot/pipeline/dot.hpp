@@ -60,7 +60,8 @@ class Dot {
 
   /// Labels the objects of one frame. The result is valid until the next call.
   /// @throws std::invalid_argument naming the bad field of `frame`; the state is then unchanged.
-  /// @throws std::bad_alloc, or exceptions of a host's pool; all frames and objects are then forgotten, as by `reset`.
+  /// @throws std::bad_alloc if memory runs out. All frames and objects are then forgotten, as by `reset`; so they are
+  /// after an exception of a host's pool.
   const Result& track(const Frame& frame);
 
   /// Takes masks that arrive late, for an earlier frame that was given to `track` without masks. A network may take
@@ -70,7 +71,8 @@ class Dot {
   /// @param frame_id Frame::id; the newest, if several frames have it.
   /// @throws std::invalid_argument naming the bad field, or frame_id if it is none of these frames; the state is then
   /// unchanged.
-  /// @throws std::bad_alloc, or exceptions of a host's pool; all frames and objects are then forgotten, as by `reset`.
+  /// @throws std::bad_alloc if memory runs out. All frames and objects are then forgotten, as by `reset`; so they are
+  /// after an exception of a host's pool.
   void submit_masks(std::uint64_t frame_id, const Masks& masks);
 
   /// Forgets all frames and objects. Keeps the buffers and never reuses an id.

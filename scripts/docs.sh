@@ -14,15 +14,13 @@ pictured=(index page_docs_tasks page_docs_api page_docs_algorithm page_docs_embe
   pages annotated classdot_1_1Tracker structdot_1_1ObjectResult structdot_1_1VelocitySettings namespacedot dot_8h
   structdot__object)
 
-python=python3
-command -v python3 >/dev/null || { echo "docs: needs Python 3" >&2; exit 1; }
 rm -rf "$staged" "$html"
 mkdir -p "$staged/pages" "$html"
 
-"$python" -B scripts/docs/check_markdown.py "$root"
+python3 -B scripts/docs/check_markdown.py "$root"
 
-mapfile -t pages < <(git ls-files '*.md' | grep -v '^python/')
-"$python" -B scripts/docs/pages.py "$root" "$staged/pages" "${pages[@]}"
+pages=(*.md docs/*.md docs/*/*.md examples/data/*.md)
+python3 -B scripts/docs/pages.py "$root" "$staged/pages" "${pages[@]}"
 mv "$staged"/pages/*.json "$staged"
 
 DOT_VERSION=$(sed -n 's/^#define DOT_VERSION_STRING "\(.*\)"$/\1/p' include/dot/version.hpp)
@@ -33,13 +31,15 @@ sed "s|$root/||" "$staged/warnings" >&2
 echo "$(grep -c . "$staged/warnings" || true) warnings"
 [ "$status" -eq 0 ] || exit "$status"
 
-"$python" -B scripts/docs/finish.py "$root" "$staged" "$html"
-"$python" -B scripts/docs/check_html.py "$html"
+python3 -B scripts/docs/finish.py "$root" "$staged" "$html"
+python3 -B scripts/docs/check_html.py "$html"
 
 if [ "${1:-}" = pictures ]; then
   mkdir -p "$root/out/docs-pictures"
+  sandbox=()
+  [ "$(id -u)" -ne 0 ] || sandbox=(--no-sandbox) # it refuses to run as root otherwise
   for page in "${pictured[@]}"; do
-    chromium --headless=new --no-sandbox --disable-gpu --hide-scrollbars --force-device-scale-factor=1 \
+    chromium --headless=new "${sandbox[@]}" --disable-gpu --hide-scrollbars --force-device-scale-factor=1 \
       --window-size=1280,1600 --screenshot="$root/out/docs-pictures/$page.png" "file://$html/$page.html" 2>/dev/null \
       || { echo "docs: Chromium took no picture of $page" >&2; exit 1; }
   done

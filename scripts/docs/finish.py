@@ -50,7 +50,8 @@ class Finish:
         for spelt in (name, re.sub(r"^(frame|result|object|camera|intrinsics|tracker)\.", lambda m: {
                 "frame": "Frame", "result": "Result", "object": "ObjectResult", "camera": "CameraResult",
                 "intrinsics": "Intrinsics", "tracker": "Tracker"}[m[1]] + "::", name)):
-            if spelt in self.names.url and ("::" in spelt or "_" in spelt or "." in spelt or spelt[0].isupper()):
+            # A single word may be meant otherwise: `track`, or the Frame of another system.
+            if spelt in self.names.url and re.search(r"::|_|\.|[A-Z].*[A-Z]", spelt):
                 return self.names.url[spelt]
         return None
 

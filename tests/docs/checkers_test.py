@@ -60,5 +60,54 @@ class Markdown(unittest.TestCase):
         self.complains("```sh\nif then\n```\n", "syntax error")
 
 
+class Html(unittest.TestCase):
+    def check(self, body, script=""):
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            (root / "search").mkdir()
+            (root / "a.html").write_text(f"<html><body><a class='anchor' id='here'></a>{body}</body></html>")
+            (root / "b.html").write_text("<p id='there'></p>")
+            (root / "search/all.js").write_text(script)
+            run = subprocess.run([sys.executable, "-B", SCRIPTS / "check_html.py", root], text=True,
+                                 capture_output=True, check=False)
+        self.assertEqual(run.returncode, 1 if run.stderr else 0, run.stderr)
+        return run.stderr.splitlines(), run.stdout
+
+    def test_good(self):
+        complaints, said = self.check("<a href='#here'></a> <a href='b.html#there'></a> <a href='https://example.org'></a>",
+                                      "['../b.html#there',1]")
+        self.assertEqual(complaints, [])
+        self.assertEqual(said, "2 pages, 4 links, 1 of them into the network, 0 dead\n")
+
+    def test_dead(self):
+        for body in ("<a href='c.html'></a>", "<a href='#nowhere'></a>", "<a href='b.html#here'></a>", "<img src='x.png'/>",
+                     "<a href='../outside.html'></a>"):
+            self.assertEqual(len(self.check(body)[0]), 1, body)
+        self.assertEqual(len(self.check("", "['../b.html#here',1]")[0]), 1)
+
+
+class Described(unittest.TestCase):
+    def test_names(self):
+        sys.path.insert(0, str(SCRIPTS))
+        sys.dont_write_bytecode = True
+        from names import Names
+
+        def member(kind, name, text, inner="", prot="public", arguments=""):
+            return (f'<memberdef kind="{kind}" id="classA_1{name}" prot="{prot}" strong="yes"><name>{name}</name>'
+                    f'<argsstring>{arguments}</argsstring><briefdescription>{text}</briefdescription>{inner}</memberdef>')
+
+        value = '<enumvalue id="classA_1e{0}" prot="public"><name>{0}</name><briefdescription>{1}</briefdescription></enumvalue>'
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "a.xml").write_text(
+                '<doxygen><compounddef kind="class" id="classA" prot="public"><compoundname>dot::A</compoundname>'
+                '<briefdescription>A.</briefdescription>' + member("variable", "x", "metres") + member("variable", "y", "")
+                + member("variable", "hidden", "", prot="private") + member("function", "A", "", arguments="()=default")
+                + member("enum", "E", "Which.", value.format("One", "it") + value.format("Two", ""))
+                + "</compounddef></doxygen>")
+            names = Names(Path(folder))
+        self.assertEqual(names.undescribed, ["dot::A::y", "dot::A::E::Two"])
+        self.assertEqual(names.url["A::x"], "classA.html#x")
+
+
 if __name__ == "__main__":
     unittest.main()

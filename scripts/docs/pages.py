@@ -25,6 +25,9 @@ def label(page, anchor=""):
     return re.sub(r"\W", "_", f"page_{stem}" + (f"__{anchor}" if anchor else "")).lower()
 
 
+LONG = 6  # headings of a page that gets a table of contents
+
+
 class Stage:
     def __init__(self, root, pages):
         self.root = root
@@ -41,7 +44,10 @@ class Stage:
 
     def page(self, page):
         text = (self.root / page).read_text()
-        anchors = iter(markdown.anchors(text))
+        headings = markdown.anchors(text)
+        anchors = iter(headings)
+        if len(headings) >= LONG:
+            text = re.sub(r"^(# .*\n)", r"\1\n[TOC]\n", text, count=1)
         out = []
         for part in markdown.split(text):
             if isinstance(part, markdown.Block):

@@ -46,7 +46,7 @@ class Stage:
         text = (self.root / page).read_text()
         headings = markdown.anchors(text)
         anchors = iter(headings)
-        if len(headings) >= LONG:
+        if len(headings) >= LONG and label(page) != "index":
             text = re.sub(r"^(# .*\n)", r"\1\n[TOC]\n", text, count=1)
         out = []
         for part in markdown.split(text):

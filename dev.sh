@@ -28,6 +28,10 @@ usage: ./dev.sh VERB
              sanitizer
   fuzz       hand generated inputs to the C library and to the readers, 60 seconds each or "fuzz SECONDS";
              "fuzz coverage" tells which lines the inputs in tests/fuzz/corpus reach
+  docs       make the reference, in out/docs, from the headers and the pages; warnings, names without a description and
+             links that lead nowhere are errors; "docs pictures" leaves pictures of some pages in out/docs-pictures
+  release    "release VERSION [--draft | --tag]": source archive, checksum, bill of materials (SPDX) and notes of the
+             present commit, in out/release; the same bytes in every clone
   abi        compare the C library's binary interface with capi/abi; "abi accept" writes the present one there
   soak       10,000 trackers made and destroyed under the address sanitizer
   help       this text
@@ -126,7 +130,8 @@ demo_network() {
 }
 
 run_tests() {
-  need python3-numpy python3-onnx python3-opencv python3-pytest python3-mypy python3-setuptools python3-wheel python3-pip python3-venv
+  need python3-numpy python3-onnx python3-opencv python3-pytest python3-mypy python3-setuptools python3-wheel python3-pip \
+    python3-venv python3-yaml git
   compile all
   say "testing"
   ctest --test-dir "$build" --output-on-failure -j2 || fail "tests failed; what each of them printed is above"
@@ -285,6 +290,21 @@ fuzz_coverage() {
       END { exit total + 0 < 80 }' || fail "the inputs in tests/fuzz/corpus reach less than 80 % of the lines"
 }
 
+# docs [pictures]
+docs() {
+  need doxygen katex nodejs python3
+  case ${1:-} in '') ;; pictures) need chromium ;; *) fail "docs $1: only docs, and docs pictures" ;; esac
+  say "the reference"
+  scripts/docs.sh "$@"
+}
+
+# release VERSION [--draft | --tag]
+release() {
+  need git python3
+  versions
+  scripts/release.sh "$@"
+}
+
 # abi [accept]: a change of the binary interface is a decision, and shows as one in a diff.
 abi() {
   need_compiler
@@ -327,6 +347,8 @@ case $verb in
   lint) lint ;;
   sanitize) sanitize "$@" ;;
   fuzz) fuzz "$@" ;;
+  docs) docs "$@" ;;
+  release) release "$@" ;;
   abi) abi "$@" ;;
   soak) soak ;;
   versions) versions ;;

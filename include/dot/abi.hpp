@@ -14,6 +14,10 @@
 /// different symbols: they work side by side, or they do not link, but they never corrupt memory.
 ///
 /// A build that must not share code with its host can set DOT_ABI_TAG to another name, as our compiled tier does.
+
+/// @def DOT_ABI_TAG
+/// Name of the inline namespace: eigen16, eigen32, eigen64, eigen0 or eigen_unaligned, after Eigen's alignment in
+/// bytes.
 #ifdef DOT_ABI_TAG
 #define DOT_HAS_OWN_ABI_TAG
 #else
@@ -30,9 +34,11 @@
 #endif
 #endif
 
+/// Opens the namespace `dot` and the inline namespace in it.
 #define DOT_BEGIN_NAMESPACE \
   namespace dot {           \
   inline namespace DOT_ABI_TAG {
+/// Closes them.
 #define DOT_END_NAMESPACE \
   }                       \
   }

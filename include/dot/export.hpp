@@ -7,6 +7,9 @@
 ///
 /// It works for a static and a shared library, with and without CMake; a user defines nothing. Windows needs no
 /// dllimport for classes without data members. Functions are found through the import library.
+
+/// @def DOT_EXPORT
+/// Before a class or function: part of that interface.
 #if defined(_WIN32)
 #if defined(DOT_CORE_EXPORTS)
 #define DOT_EXPORT __declspec(dllexport)

@@ -23,12 +23,15 @@ class DOT_EXPORT Tracker {
   /// @throws std::invalid_argument naming the field of `camera` or `options` that is out of range.
   explicit Tracker(const Intrinsics& camera, const Options& options = {});
   ~Tracker();
+  /// Takes over the state of another tracker, which may then only be destroyed or assigned to.
   Tracker(Tracker&&) noexcept;
+  /// Takes over the state of another tracker, which may then only be destroyed or assigned to.
   Tracker& operator=(Tracker&&) noexcept;
 
   /// Labels the objects of one frame. The result is valid until the next call on this tracker.
   /// @throws std::invalid_argument naming the bad field of `frame`; the tracker is then unchanged.
-  /// @throws std::bad_alloc, or exceptions of a host's pool; all frames and objects are then forgotten, as by `reset`.
+  /// @throws std::bad_alloc if memory runs out. All frames and objects are then forgotten, as by `reset`; so they are
+  /// after an exception of a host's pool.
   const Result& track(const Frame& frame);
 
   /// Takes masks that arrive late, for an earlier frame that was given to `track` without masks. A network may take
@@ -38,7 +41,8 @@ class DOT_EXPORT Tracker {
   /// @param frame_id Frame::id; the newest, if several frames have it.
   /// @throws std::invalid_argument naming the bad field, or frame_id if it is none of these frames; the tracker is then
   /// unchanged.
-  /// @throws std::bad_alloc, or exceptions of a host's pool; all frames and objects are then forgotten, as by `reset`.
+  /// @throws std::bad_alloc if memory runs out. All frames and objects are then forgotten, as by `reset`; so they are
+  /// after an exception of a host's pool.
   void submit_masks(std::uint64_t frame_id, const Masks& masks);
 
   /// Forgets all frames and objects. Keeps the buffers and never reuses an id.
@@ -48,6 +52,7 @@ class DOT_EXPORT Tracker {
   /// threads are used.
   void set_pool(ThreadPool pool);
 
+  /// The settings given to the constructor.
   const Options& options() const;
 
  private:

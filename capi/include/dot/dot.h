@@ -23,6 +23,8 @@
 /// during another call on the same tracker changes nothing and returns DOT_BUSY. This detects the mistake, but it is no
 /// lock: dot_last_error and dot_destroy are not covered by it.
 
+/// @def DOT_API
+/// Before a function: exported by the library. On Windows define DOT_CAPI_STATIC to link the archive.
 #if defined(_WIN32) && !defined(DOT_CAPI_STATIC)
 #ifdef DOT_CAPI_EXPORTS
 #define DOT_API __declspec(dllexport)
@@ -35,6 +37,8 @@
 #define DOT_API
 #endif
 
+/// @def DOT_NOEXCEPT
+/// After a function: throws nothing. Empty in C and C++98.
 #if defined(__cplusplus) && __cplusplus >= 201103L
 #define DOT_NOEXCEPT noexcept
 #else
@@ -54,8 +58,10 @@ extern "C" {
 
 /// Result of a call, one of the values below.
 typedef int32_t dot_status;
+
+/// The values of dot_status.
 enum {
-  DOT_OK = 0,
+  DOT_OK = 0,                 ///< it did what it says
   DOT_INVALID_ARGUMENT = -1,  ///< the text names the field; the state is unchanged
   DOT_NO_RESULT = -2,         ///< no frame tracked yet, or none since dot_reset or a failure
   DOT_OUT_OF_MEMORY = -3,     ///< the tracker has been reset
@@ -72,37 +78,37 @@ enum {
   DOT_FORMAT_DEPTH_F32 = 5,  ///< float, metres
   DOT_FORMAT_DEPTH_U16 = 6,  ///< 16 bit, metres = value / depth_units_per_metre
   DOT_FORMAT_ID8 = 7,        ///< instance ids, 0 = background
-  DOT_FORMAT_ID16 = 8,
-  DOT_FORMAT_ID32 = 9,
-  DOT_FORMAT_LABEL8 = 10  ///< output only: a DOT_STATE_ value a pixel
+  DOT_FORMAT_ID16 = 8,       ///< two bytes a pixel, 0 = background
+  DOT_FORMAT_ID32 = 9,       ///< four bytes a pixel, 0 = background
+  DOT_FORMAT_LABEL8 = 10     ///< output only: a DOT_STATE_ value a pixel
 };
 
 /// The state of an object and of each of its label pixels.
 enum {
-  DOT_STATE_BACKGROUND = 0,
-  DOT_STATE_STATIC = 1,
-  DOT_STATE_MOVING = 2,
+  DOT_STATE_BACKGROUND = 0,     ///< no object
+  DOT_STATE_STATIC = 1,         ///< it stands
+  DOT_STATE_MOVING = 2,         ///< it moves
   DOT_STATE_NOT_OBSERVABLE = 3  ///< the data does not decide between static and moving
 };
 
 /// Why an object has no motion estimate in this frame (or was dropped after it).
 enum {
-  DOT_REASON_NONE = 0,  ///< it has one
-  DOT_REASON_NEW = 1,   ///< first seen in this frame, and the frame before gives no motion
-  DOT_REASON_NO_REFERENCE = 2,
-  DOT_REASON_TOO_FEW_PIXELS = 3,
-  DOT_REASON_TOO_LITTLE_DEPTH = 4,
-  DOT_REASON_TOO_LITTLE_TEXTURE = 5,
-  DOT_REASON_LEAVES_IMAGE = 6,
-  DOT_REASON_OCCLUDED = 7,
-  DOT_REASON_DIVERGED = 8,
-  DOT_REASON_LOW_CORRELATION = 9,
-  DOT_REASON_TOO_FEW_INLIERS = 10,
-  DOT_REASON_DEPTH_DISAGREES = 11,
-  DOT_REASON_IMPLAUSIBLE = 12,  ///< faster than the setting object.max_speed
-  DOT_REASON_HIDDEN = 13,       ///< neither predicted to be visible nor shown by a mask
-  DOT_REASON_CAMERA_LOST = 14,
-  DOT_REASON_LOST = 15,  ///< not seen for too long: dropped after this frame
+  DOT_REASON_NONE = 0,                ///< it has one
+  DOT_REASON_NEW = 1,                 ///< first seen in this frame, and the frame before gives no motion
+  DOT_REASON_NO_REFERENCE = 2,        ///< the frames before this one were dropped (gap in time, or reset)
+  DOT_REASON_TOO_FEW_PIXELS = 3,      ///< its mask is too small
+  DOT_REASON_TOO_LITTLE_DEPTH = 4,    ///< its mask has too little valid depth
+  DOT_REASON_TOO_LITTLE_TEXTURE = 5,  ///< too few pixels with a gradient
+  DOT_REASON_LEAVES_IMAGE = 6,        ///< too small a part of it stays inside the image
+  DOT_REASON_OCCLUDED = 7,            ///< nearer objects hide too much of it
+  DOT_REASON_DIVERGED = 8,            ///< the alignment did not converge
+  DOT_REASON_LOW_CORRELATION = 9,     ///< reference and tracked intensities do not correlate (phi)
+  DOT_REASON_TOO_FEW_INLIERS = 10,    ///< too few points agree with the fitted line between intensities
+  DOT_REASON_DEPTH_DISAGREES = 11,    ///< the motion found contradicts the measured depth
+  DOT_REASON_IMPLAUSIBLE = 12,        ///< faster than the setting object.max_speed
+  DOT_REASON_HIDDEN = 13,             ///< neither predicted to be visible nor shown by a mask
+  DOT_REASON_CAMERA_LOST = 14,        ///< no camera motion, hence no object motion
+  DOT_REASON_LOST = 15,               ///< not seen for too long: dropped after this frame
   DOT_REASON_TOO_MANY_OBJECTS =
       16  ///< not among the largest, setting "object.max_fitted": predicted at its last velocity
 };
@@ -118,16 +124,23 @@ enum {
 
 /// dot_options.classifier.
 enum {
-  DOT_CLASSIFIER_VELOCITY = 0,  ///< belief over the velocities of the object's points
-  DOT_CLASSIFIER_ENTROPY = 1,   ///< the paper's rule with the gate H < H_max
-  DOT_CLASSIFIER_ENTROPY_LITERAL = 2
+  DOT_CLASSIFIER_VELOCITY = 0,        ///< belief over the velocities of the object's points
+  DOT_CLASSIFIER_ENTROPY = 1,         ///< the paper's rule with the gate H < H_max
+  DOT_CLASSIFIER_ENTROPY_LITERAL = 2  ///< the paper's rule as printed, H > H_min; for comparison
 };
 
 /// dot_options.depth_source. It determines the form of the depth noise.
-enum { DOT_DEPTH_UNKNOWN = 0, DOT_DEPTH_STEREO = 1, DOT_DEPTH_RGBD = 2, DOT_DEPTH_LIDAR = 3 };
+enum {
+  DOT_DEPTH_UNKNOWN = 0,  ///< a share of the inverse depth
+  DOT_DEPTH_STEREO = 1,   ///< constant in disparity; needs dot_camera.baseline
+  DOT_DEPTH_RGBD = 2,     ///< grows with the square of the depth
+  DOT_DEPTH_LIDAR = 3     ///< constant in range, and a share for the interpolation between the beams
+};
 
 /// dot_instance.flags.
-enum { DOT_INSTANCE_ALWAYS_DYNAMIC = 1 };  ///< people and other non-rigid objects: always reported as moving
+enum {
+  DOT_INSTANCE_ALWAYS_DYNAMIC = 1  ///< people and other non-rigid objects: always reported as moving
+};
 
 /// dot_object.flags.
 enum {
@@ -139,8 +152,8 @@ enum {
 /// dot_exclusion_policy.flags.
 enum {
   DOT_EXCLUDE_NOT_OBSERVABLE = 1,  ///< objects that were never decided; for others the last decision counts
-  DOT_EXCLUDE_STATIC = 2,
-  DOT_EXCLUDE_INVERTED = 4  ///< write 0 = do not use, 255 = use, as OpenCV's feature detectors need
+  DOT_EXCLUDE_STATIC = 2,          ///< objects that are known to stand still, too
+  DOT_EXCLUDE_INVERTED = 4         ///< write 0 = do not use, 255 = use, as OpenCV's feature detectors need
 };
 
 /// Level of a log message.
@@ -155,7 +168,7 @@ typedef struct dot_tracker dot_tracker;
 
 /// A view of pixels. It owns no memory. As an input it is borrowed for the duration of one call.
 typedef struct dot_image {
-  uint32_t struct_size;
+  uint32_t struct_size;          ///< sizeof(dot_image)
   uint32_t format;               ///< DOT_FORMAT_
   int32_t width;                 ///< pixels
   int32_t height;                ///< pixels
@@ -166,27 +179,27 @@ typedef struct dot_image {
 
 /// A rectified pinhole camera.
 typedef struct dot_camera {
-  uint32_t struct_size;
-  int32_t width;      ///< pixels
-  int32_t height;     ///< pixels
-  uint32_t reserved;  ///< 0
-  double fx;          ///< pixels
-  double fy;          ///< pixels
-  double cx;          ///< pixels
-  double cy;          ///< pixels
-  double baseline;    ///< metres; 0 if the depth does not come from stereo
+  uint32_t struct_size;  ///< sizeof(dot_camera)
+  int32_t width;         ///< pixels
+  int32_t height;        ///< pixels
+  uint32_t reserved;     ///< 0
+  double fx;             ///< pixels
+  double fy;             ///< pixels
+  double cx;             ///< pixels
+  double cy;             ///< pixels
+  double baseline;       ///< metres; 0 if the depth does not come from stereo
 } dot_camera;
 
 /// One setting by its name in dot/pipeline/options.hpp, such as "velocity.decide". Integers and booleans are given as
 /// whole numbers. (This struct does not grow, because it is an array element without a size.)
 typedef struct dot_setting {
-  const char* name;
-  double value;
+  const char* name;  ///< such as "velocity.decide"
+  double value;      ///< in the unit of the setting
 } dot_setting;
 
 /// The main settings. Start from dot_options_init. All pointers are read by dot_create only.
 typedef struct dot_options {
-  uint32_t struct_size;
+  uint32_t struct_size;         ///< sizeof(dot_options)
   uint32_t classifier;          ///< DOT_CLASSIFIER_
   uint32_t depth_source;        ///< DOT_DEPTH_
   int32_t background_points;    ///< budget for the background of one frame
@@ -199,7 +212,7 @@ typedef struct dot_options {
 
 /// One instance of a segmentation. All elements of an array have the same struct_size.
 typedef struct dot_instance {
-  uint32_t struct_size;
+  uint32_t struct_size;   ///< sizeof(dot_instance)
   uint32_t id;            ///< the caller's, need not be stable from frame to frame
   const dot_image* mask;  ///< GREY8 or ID8, non-zero = object; NULL: the pixels of dot_masks.ids that equal `id`
   int32_t x;              ///< pixels: place of the mask's top left corner in the frame
@@ -213,15 +226,15 @@ typedef struct dot_instance {
 /// The segmentation of one frame: an id image, or instances that may overlap, or an id image with instances that give
 /// class and score of some of its ids. Both absent: the network ran and found nothing.
 typedef struct dot_masks {
-  uint32_t struct_size;
-  uint32_t instance_count;
+  uint32_t struct_size;           ///< sizeof(dot_masks)
+  uint32_t instance_count;        ///< length of `instances`
   const dot_image* ids;           ///< ID8, ID16 or ID32, of the frame's size; may be NULL
   const dot_instance* instances;  ///< may be NULL if there are none
 } dot_masks;
 
 /// A camera motion that the host knows better than the tracker.
 typedef struct dot_camera_motion {
-  uint32_t struct_size;
+  uint32_t struct_size;   ///< sizeof(dot_camera_motion)
   uint32_t reserved;      ///< 0
   double T_cur_prev[12];  ///< a static point at X in the previous frame's camera is at T_cur_prev X in this one's
   double covariance[36];  ///< of the left twist [translation; rotation], metres and radians
@@ -229,7 +242,7 @@ typedef struct dot_camera_motion {
 
 /// One frame. All that it points to is borrowed for the duration of dot_track.
 typedef struct dot_frame {
-  uint32_t struct_size;
+  uint32_t struct_size;                    ///< sizeof(dot_frame)
   uint32_t reserved;                       ///< 0
   uint64_t id;                             ///< the caller's number of the frame
   double timestamp;                        ///< seconds, strictly increasing
@@ -243,10 +256,10 @@ typedef struct dot_frame {
 
 /// The camera's motion over the last interval.
 typedef struct dot_camera_result {
-  uint32_t struct_size;
-  uint32_t status;   ///< DOT_CAMERA_
-  int32_t n_points;  ///< background points inside the image
-  int32_t n_inliers;
+  uint32_t struct_size;        ///< sizeof(dot_camera_result)
+  uint32_t status;             ///< DOT_CAMERA_
+  int32_t n_points;            ///< background points inside the image
+  int32_t n_inliers;           ///< of these, points that fit the line between intensities
   uint64_t frame_id;           ///< dot_frame.id
   double timestamp;            ///< dot_frame.timestamp
   double interval;             ///< seconds since the previous frame, 0 if there is no reference
@@ -264,7 +277,7 @@ typedef struct dot_camera_result {
 
 /// One object in one frame.
 typedef struct dot_object {
-  uint32_t struct_size;
+  uint32_t struct_size;   ///< sizeof(dot_object)
   uint32_t id;            ///< of the track, never reused by this tracker
   uint32_t state;         ///< DOT_STATE_
   uint32_t reason;        ///< DOT_REASON_
@@ -276,8 +289,8 @@ typedef struct dot_object {
   int32_t area;           ///< visible label pixels
   int32_t box[4];         ///< x, y, width, height of the visible label pixels; zeros if there are none
   int32_t n_points;       ///< points inside the image
-  int32_t n_inliers;
-  double p_moving;  ///< belief after this frame
+  int32_t n_inliers;      ///< of these, points that fit the line between intensities
+  double p_moving;        ///< belief after this frame
 
   /* The single fit of this frame. Valid if `reason` is DOT_REASON_NONE. */
   double T_o[12];                 ///< previous camera's axes: a point at X_prev is at T_c T_o X_prev in this camera
@@ -293,8 +306,8 @@ typedef struct dot_object {
   double interval;                ///< seconds that velocity spans; T_o is of the last interval
 
   /* Fused over time. */
-  double fused_velocity[3];  ///< m/s, this camera's axes
-  double fused_covariance[9];
+  double fused_velocity[3];    ///< m/s, this camera's axes
+  double fused_covariance[9];  ///< (m/s)^2, row-major; zeros if there is no fused velocity
 
   /* The single fit of this frame, continued. */
   double angular_velocity[3];    ///< rad/s, previous camera's axes; without the prior that T_o contains
@@ -305,10 +318,10 @@ typedef struct dot_object {
 
 /// The objects that dot_exclusion_mask excludes besides moving ones.
 typedef struct dot_exclusion_policy {
-  uint32_t struct_size;
-  uint32_t flags;     ///< DOT_EXCLUDE_
-  int32_t dilation;   ///< pixels by which the excluded area is widened, >= 0
-  uint32_t reserved;  ///< 0
+  uint32_t struct_size;  ///< sizeof(dot_exclusion_policy)
+  uint32_t flags;        ///< DOT_EXCLUDE_
+  int32_t dilation;      ///< pixels by which the excluded area is widened, >= 0
+  uint32_t reserved;     ///< 0
 } dot_exclusion_policy;
 
 /// The function called for log messages, see dot_set_log. @param user the value given to dot_set_log.
@@ -316,29 +329,39 @@ typedef struct dot_exclusion_policy {
 typedef void (*dot_log_function)(void* user, uint32_t level, const char* text);
 
 /* Initial values: struct_size is set, the rest is empty or the default. */
+/// Initial value of a dot_image.
 #define DOT_IMAGE_INIT \
   { sizeof(dot_image), 0, 0, 0, 0, 0, 0 }
+/// Initial value of a dot_camera.
 #define DOT_CAMERA_INIT \
   { sizeof(dot_camera), 0, 0, 0, 0, 0, 0, 0, 0 }
+/// Initial value of a dot_options.
 #define DOT_OPTIONS_INIT \
   { sizeof(dot_options), DOT_CLASSIFIER_VELOCITY, DOT_DEPTH_UNKNOWN, 2000, 300, 0, 0, 0.5, 0.3 }
+/// Initial value of a dot_instance.
 #define DOT_INSTANCE_INIT \
   { sizeof(dot_instance), 0, 0, 0, 0, -1, 1, 0, 0 }
+/// Initial value of a dot_masks.
 #define DOT_MASKS_INIT \
   { sizeof(dot_masks), 0, 0, 0 }
+/// Initial value of a dot_camera_motion.
 #define DOT_CAMERA_MOTION_INIT                                                \
   {                                                                           \
     sizeof(dot_camera_motion), 0, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}, { 0 } \
   }
+/// Initial value of a dot_frame.
 #define DOT_FRAME_INIT \
   { sizeof(dot_frame), 0, 0, 0, 0, 0, 0, 0, 0 }
+/// Initial value of a dot_camera_result.
 #define DOT_CAMERA_RESULT_INIT \
   { sizeof(dot_camera_result), 0, 0, 0, 0, 0, 0, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, 0 }
+/// Initial value of a dot_object.
 #define DOT_OBJECT_INIT                                                                                             \
   {                                                                                                                 \
     sizeof(dot_object), 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}, 0, 0, 0, {0}, {0}, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, {0}, {0}, \
         {0}, {0}, 0, 0                                                                                              \
   }
+/// Initial value of a dot_exclusion_policy.
 #define DOT_EXCLUSION_POLICY_INIT \
   { sizeof(dot_exclusion_policy), DOT_EXCLUDE_NOT_OBSERVABLE, 2, 0 }
 

@@ -22,8 +22,8 @@ DOT_BEGIN_NAMESPACE
 /// (paper eq. 1-5). Buffers are kept from call to call.
 template <typename Reduction = DefaultReduction>
 struct DirectAligner {
-  AlignSettings settings;
-  Reduction reduction;
+  AlignSettings settings;  ///< set before the first call
+  Reduction reduction;     ///< sums over the points
 
   /// Refines `start` over the levels coarsest..finest.
   template <typename Camera>

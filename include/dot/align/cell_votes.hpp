@@ -15,11 +15,13 @@ DOT_BEGIN_NAMESPACE
 /// points clearly better. A sum over all points counts texture: a lorry with lettering has more of it than a road.
 /// Cells count area.
 struct CellVotes {
-  static constexpr int kColumns = 16, kRows = 8;
+  static constexpr int kColumns = 16;      ///< of cells in the image
+  static constexpr int kRows = 8;          ///< of cells in the image
   static constexpr int kMinPoints = 4;     ///< of a cell that may vote
   static constexpr float kClearly = 0.6f;  ///< share of the other motion's cost
 
-  int first = 0, second = 0;
+  int first = 0;                                    ///< cells that voted for the first motion
+  int second = 0;                                   ///< cells that voted for the second motion
   std::array<bool, kColumns * kRows> second_won{};  ///< cells that voted for the second motion, row by row
 
   /// Adds the votes of some points. @param cost_first, cost_second of each point; negative where it is not seen.

@@ -20,6 +20,7 @@ DOT_BEGIN_NAMESPACE
 struct KernelReduction {
   const kernel::Kernels* kernels = &portable_kernels();  ///< never null
 
+  /// Sets `out` to the residuals of all points on a pyramid level.
   template <typename Camera>
   void residuals(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
                  const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
@@ -34,6 +35,8 @@ struct KernelReduction {
     }
   }
 
+  /// Sums H and g over the points that are not excluded. @param excluded one flag a point, or null. @param centre about
+  /// which rotations are linearised, metres.
   template <typename Camera>
   NormalEquations linearize(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
                             const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
@@ -109,8 +112,10 @@ struct KernelReduction {
 struct DispatchedReduction : KernelReduction {
   DispatchedReduction() : KernelReduction{find_kernels()} {}
 };
+/// The reduction that an aligner has if none is named.
 using DefaultReduction = DispatchedReduction;
 #else
+/// The reduction that an aligner has if none is named.
 using DefaultReduction = KernelReduction;
 #endif
 

@@ -39,8 +39,8 @@ void find_minima(int n, Cost&& cost, Found&& found) {
 
 /// Local minima found from several starts. Minima within `kSamePixels` of each other count as one.
 struct Minima {
-  static constexpr double kSamePixels = 0.1;
-  std::vector<Alignment> found;
+  static constexpr double kSamePixels = 0.1;  ///< median distance of the points in the image
+  std::vector<Alignment> found;               ///< in the order of their finding
 
   /// Drops the minima for which `condition` holds, unless it holds for all.
   template <typename Condition>
@@ -60,17 +60,20 @@ struct Minima {
 
 /// Buffers of the estimators that search for such minima.
 struct MinimaWorkspace {
-  Minima minima;
-  std::vector<AlignState> starts, near;                     ///< `near`: close to a minimum, for fine levels only
-  std::vector<std::pair<double, AlignState>> tried, turns;  ///< with their costs
-  PointCosts costs;
+  Minima minima;                                       ///< found so far
+  std::vector<AlignState> starts;                      ///< places to align from
+  std::vector<AlignState> near;                        ///< close to a minimum, for fine levels only
+  std::vector<std::pair<double, AlignState>> tried;    ///< with their costs
+  std::vector<std::pair<double, AlignState>> turns;    ///< rotations that fit distant points, with their costs
+  PointCosts costs;                                    ///< of the places in comparison
   std::vector<std::pair<double, std::size_t>> ranked;  ///< costs of the minima
-  std::vector<Alignment> kept;
-  std::vector<float> depths;
-  PointSet few;          ///< a part of the points, to rank many places
-  PointSet distant;      ///< points at infinity
-  PointSet unexplained;  ///< the points that another motion does not explain
-  std::vector<float> point_costs, other_costs;
+  std::vector<Alignment> kept;                         ///< minima that the motion is chosen among
+  std::vector<float> depths;                           ///< of the points, to sort them
+  PointSet few;                                        ///< a part of the points, to rank many places
+  PointSet distant;                                    ///< points at infinity
+  PointSet unexplained;                                ///< the points that another motion does not explain
+  std::vector<float> point_costs;                      ///< of each point at one place
+  std::vector<float> other_costs;                      ///< of each point at another place
 };
 
 DOT_END_NAMESPACE

@@ -10,7 +10,12 @@ DOT_BEGIN_NAMESPACE
 
 /// Pearson's correlation coefficient phi, accumulated (paper, section 3.4): invariant to gain and offset.
 struct Pearson {
-  double n = 0, mean_x = 0, mean_y = 0, xx = 0, xy = 0, yy = 0;
+  double n = 0;       ///< pairs
+  double mean_x = 0;  ///< mean of x
+  double mean_y = 0;  ///< mean of y
+  double xx = 0;      ///< sum of squares about mean_x
+  double xy = 0;      ///< sum of products about the means
+  double yy = 0;      ///< sum of squares about mean_y
 
   /// Adds a pair (Welford's update, which avoids cancellation).
   void add(double x, double y) {
@@ -28,6 +33,7 @@ struct Pearson {
 
   /// Slope of the least-squares line y = slope x + intercept.
   double slope() const { return xx > 0 ? xy / xx : 0; }
+  /// Intercept of that line.
   double intercept() const { return mean_y - slope() * mean_x; }
 };
 

@@ -21,6 +21,7 @@ struct PhotometricFactor {
 template <typename Scalar>
 class PhotometricModel {
  public:
+  /// @param gradient_noise pixels, AlignSettings::gradient_noise.
   PhotometricModel(const AlignState& state, double gradient_noise)
       : t_(state.T.t.cast<Scalar>()),
         gain_(static_cast<Scalar>(state.gain)),

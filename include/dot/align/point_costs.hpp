@@ -17,6 +17,7 @@ DOT_BEGIN_NAMESPACE
 /// view. Such points are on near asphalt, which leaves the image when the camera moves ahead.
 class PointCosts {
  public:
+  /// Removes all places. Keeps the memory.
   void clear() {
     open_.clear();
     count_ = 0;
@@ -53,6 +54,7 @@ class PointCosts {
     return chosen;
   }
 
+  /// Takes a place out of `best`.
   void remove(std::size_t place) { open_.erase(std::find(open_.begin(), open_.end(), place)); }
 
  private:

@@ -17,12 +17,12 @@ DOT_BEGIN_NAMESPACE
 /// when `centred` is false (the camera itself: T_outer = 1, T_c <- exp(x) T_c; paper eq. 3).
 template <typename Camera>
 struct AlignProblem {
-  const PointSet& points;
-  const Pyramid& image;
-  const Camera& camera;
-  DepthTerm depth{};
-  SE3d T_outer{};
-  bool centred = false;
+  const PointSet& points;                              ///< of the reference
+  const Pyramid& image;                                ///< the new image
+  const Camera& camera;                                ///< of level 0
+  DepthTerm depth{};                                   ///< what the new frame's depth adds to the cost
+  SE3d T_outer{};                                      ///< motion after T_o: that of the camera, for an object
+  bool centred = false;                                ///< whether x is about `centroid`
   Vector3<double> centroid = Vector3<double>::Zero();  ///< c, camera axes of the reference
   Matrix6<double> prior = Matrix6<double>::Zero();     ///< information of [T_o c - c; log R_o] about zero
   AlignState photometry{};                             ///< expected gain and offset

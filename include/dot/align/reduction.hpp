@@ -23,7 +23,9 @@
 
 DOT_BEGIN_NAMESPACE
 
+/// Twist, gain and offset: [translation; rotation; a; b].
 using Vector8 = Eigen::Matrix<double, 8, 1>;
+/// Information or covariance of these.
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
 /// The term of the measured depth of the new frame (objects only).
@@ -41,10 +43,10 @@ struct DepthTerm {
 /// Noise model of a reduction, and the source of its gradients: s^2 = sigma_I^2 + (dr/dq sigma_q)^2 + (gradient_noise
 /// |grad I|)^2.
 struct ResidualNoise {
-  float sigma_intensity = 5;  ///< grey values
-  float gradient_noise = 0.06f;
-  float huber = 1.345f;
-  GradientSource gradient = GradientSource::Image;
+  float sigma_intensity = 5;                        ///< grey values
+  float gradient_noise = 0.06f;                     ///< pixels: AlignSettings::gradient_noise
+  float huber = 1.345f;                             ///< in sigma: AlignSettings::huber
+  GradientSource gradient = GradientSource::Image;  ///< AlignSettings::gradient
 };
 
 /// Residuals at a pose: structure of arrays with one value per point, zero if the point is not seen.
@@ -55,13 +57,18 @@ struct PointResiduals {
   std::vector<float> r_depth;            ///< measured minus predicted inverse depth, 1/m
   std::vector<std::uint8_t> visibility;  ///< a sum of kernel::kSeen, kHasDepth, kOccluded
 
+  /// Number of points.
   std::size_t size() const { return r.size(); }
+  /// Sets the number of points. The contents are unspecified afterwards.
   void resize(std::size_t n) {
     for (std::vector<float>* a : {&r, &extra, &value, &r_depth}) a->resize(n);
     visibility.resize(n);
   }
+  /// Whether the point is inside the image and nothing hides it.
   bool seen(std::size_t i) const { return visibility[i] & kernel::kSeen; }
+  /// Whether the point is seen and its depth there was measured.
   bool has_depth(std::size_t i) const { return visibility[i] & kernel::kHasDepth; }
+  /// Whether something nearer hides the point.
   bool occluded(std::size_t i) const { return visibility[i] & kernel::kOccluded; }
 };
 
@@ -70,9 +77,9 @@ struct NormalEquations {
   Matrix8 H = Matrix8::Zero();  ///< of [xi; a; b]
   Vector8 g = Vector8::Zero();  ///< gradient, sum of w J r / s^2
   double cost = 0;              ///< Huber, mean over seen points
-  int seen = 0;
-  int occluded = 0;
-  int inside = 0;  ///< seen or occluded
+  int seen = 0;                 ///< points that count in the sums
+  int occluded = 0;             ///< points behind something nearer
+  int inside = 0;               ///< seen or occluded
   /// Gradient of a depth error of the points that is constant over the region or grows linearly over it
   /// (sum of w J (dr/dq) m / s^2 for the modes m = 1, and u, v over the half extent), and of a change of that error
   /// between the two frames.

@@ -36,11 +36,13 @@
 
 DOT_BEGIN_NAMESPACE
 
+/// A pixel, or another pair.
 template <typename S>
 using Vector2 = Eigen::Matrix<S, 2, 1>;
 
 namespace camera_concept {
 
+/// Whether Camera maps between rays and pixels in the number type S.
 template <typename Camera, typename S, typename = void>
 inline constexpr bool maps_pixels_v = false;
 
@@ -58,6 +60,7 @@ inline constexpr bool maps_pixels_v<
             std::is_same_v<decltype(std::declval<const Camera&>().contains(std::declval<const Vector2<S>&>(), S(0))),
                            bool>;
 
+/// Whether Camera has a size, levels and intrinsics.
 template <typename Camera, typename = void>
 inline constexpr bool has_size_v = false;
 

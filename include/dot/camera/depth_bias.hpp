@@ -15,11 +15,13 @@ DOT_BEGIN_NAMESPACE
 ///
 ///     b(s, t) = c0 + c1 s + c2 s^2 + c3 s^3 + c4 s^4 + (c5 + c6 s) t,   s = 2u/width - 1, t = 2v/height - 1.
 struct DepthBias {
-  static constexpr int kTerms = 7;
+  static constexpr int kTerms = 7;  ///< number of coefficients
+  /// Coefficients, or the factors that belong to them at a pixel.
   using Terms = Eigen::Matrix<double, kTerms, 1>;
 
   Terms coefficients = Terms::Zero();  ///< 1/m
 
+  /// Whether there is nothing to subtract.
   bool is_zero() const { return coefficients.isZero(0); }
 
   /// The terms at (s, t).

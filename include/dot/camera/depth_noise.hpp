@@ -27,13 +27,14 @@ DOT_BEGIN_NAMESPACE
 /// part that all pixels of an object share. The mean over many pixels does not reduce the shared part. The settings are
 /// priors. The pipeline scales them by the noise that it learns from the background (camera_motion/depth_learning.hpp).
 struct DepthNoise {
-  DepthNoiseSettings settings;
+  DepthNoiseSettings settings;    ///< the priors
   double focal_baseline = 0;      ///< f b, pixel metres
   double pixel_scale = 1;         ///< learned factors on the priors
   double shared_scale = 1;        ///< of the shared error
   double shared_drift_scale = 1;  ///< of the shared error's change from frame to frame
 
   DepthNoise() = default;
+  /// With the form of noise that `prior.source` names. Stereo without a baseline is treated as Unknown.
   DepthNoise(const DepthNoiseSettings& prior, const Intrinsics& camera)
       : settings(prior), focal_baseline(0.5 * (camera.fx + camera.fy) * camera.baseline) {
     if (focal_baseline <= 0 && settings.source == DepthSource::Stereo) settings.source = DepthSource::Unknown;
@@ -46,6 +47,7 @@ struct DepthNoise {
   /// Standard deviation of that error's change between the two frames of a fit, 1/m.
   double shared_drift_sigma(double q) const { return shared_drift_scale * prior_shared_sigma(q); }
 
+  /// Prior of `pixel_sigma`: from the settings alone, 1/m. @param q inverse depth, 1/m.
   double prior_pixel_sigma(double q) const {
     switch (settings.source) {
       case DepthSource::Stereo: return settings.stereo_sigma_px / focal_baseline;
@@ -55,6 +57,7 @@ struct DepthNoise {
     }
     return settings.unknown_relative * q;
   }
+  /// Prior of `shared_sigma`, 1/m. @param q inverse depth, 1/m.
   double prior_shared_sigma(double q) const {
     switch (settings.source) {
       case DepthSource::Stereo: return settings.stereo_shared_px / focal_baseline;
@@ -67,6 +70,7 @@ struct DepthNoise {
 };
 
 namespace depth_noise_concept {
+/// Whether T has the functions of the concept.
 template <typename T, typename = void>
 inline constexpr bool holds_v = false;
 template <typename T>

@@ -90,8 +90,11 @@ class Pinhole {
     return scaled;
   }
 
+  /// Columns of the image.
   int width() const { return intrinsics_.width; }
+  /// Rows of the image.
   int height() const { return intrinsics_.height; }
+  /// Focal lengths, principal point, size and baseline.
   const Intrinsics& intrinsics() const { return intrinsics_; }
 
  private:

@@ -86,8 +86,11 @@ class RadTan {
     return scaled;
   }
 
+  /// Columns of the image.
   int width() const { return pinhole_.width(); }
+  /// Rows of the image.
   int height() const { return pinhole_.height(); }
+  /// Those of the camera without its distortion.
   const Intrinsics& intrinsics() const { return pinhole_.intrinsics(); }
   /// k1, k2, p1, p2, k3.
   const std::array<double, 5>& distortion() const { return distortion_; }

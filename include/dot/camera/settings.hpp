@@ -7,13 +7,18 @@
 namespace dot {
 
 /// The source of the depth. It determines the form of the noise (camera/depth_noise.hpp).
-enum class DepthSource : std::uint8_t { Unknown, Stereo, Rgbd, Lidar };
+enum class DepthSource : std::uint8_t {
+  Unknown,  ///< noise is a share of the inverse depth
+  Stereo,   ///< noise is constant in disparity; needs Intrinsics::baseline
+  Rgbd,     ///< noise grows with the square of the depth
+  Lidar     ///< noise is constant in range, with a share for the interpolation between the beams
+};
 
 /// Priors of the depth noise. The size of the noise is estimated online; these are its start and its bounds.
 struct DepthNoiseSettings {
-  DepthSource source = DepthSource::Unknown;
-  double stereo_sigma_px = 0.3;   ///< disparity noise of one pixel
-  double stereo_shared_px = 0.2;  ///< disparity error that an object's pixels share
+  DepthSource source = DepthSource::Unknown;  ///< where the depth comes from
+  double stereo_sigma_px = 0.3;               ///< disparity noise of one pixel
+  double stereo_shared_px = 0.2;              ///< disparity error that an object's pixels share
   /// Prior, pixels, of a disparity error that depends only on the place in the image, due to a slightly wrong
   /// calibration. The error is learnt from the background and subtracted from the depth. 0: no such error is assumed.
   double stereo_bias_px = 0.3;

@@ -12,12 +12,13 @@ DOT_BEGIN_NAMESPACE
 
 /// The points by which the camera's motion is measured. They are of the newest frame that had enough points.
 struct Background {
-  PointSet points;
+  PointSet points;       ///< with their depths and reference intensities
   SE3d T_now_points;     ///< camera motion from their frame to the newest one
   double seconds = 0;    ///< from their frame to the newest one
   bool guessed = false;  ///< T_now_points contains guessed steps, see guess_covariance
-  Matrix6<double> guess_covariance = Matrix6<double>::Zero();
+  Matrix6<double> guess_covariance = Matrix6<double>::Zero();  ///< of the left twist of the guessed steps' composition
 
+  /// Drops the points. Keeps their memory.
   void forget() noexcept {
     points.clear();
     T_now_points = {};

@@ -31,6 +31,7 @@ class DepthBiasLearning {
 
   double prior = 0;  ///< 1/m, standard deviation of each coefficient; 0: no bias is assumed or learnt
 
+  /// Forgets what was learnt.
   void forget() {
     information_.setZero();
     weighted_.setZero();

@@ -10,7 +10,7 @@ DOT_BEGIN_NAMESPACE
 
 /// The camera's motion from the previous frame to the current one.
 struct CameraStep {
-  CameraStatus status = CameraStatus::FirstFrame;
+  CameraStatus status = CameraStatus::FirstFrame;        ///< how the motion was found
   double seconds = 0;                                    ///< since the previous frame; 0: there is none
   SE3d T_cur_prev;                                       ///< T_c of the paper
   Matrix6<double> covariance = Matrix6<double>::Zero();  ///< of the left twist of T_cur_prev
@@ -22,14 +22,16 @@ struct CameraStep {
 
 /// The camera's motion since a past frame, `ref`, composed of several steps. `now` is the frame after the last step.
 struct CameraSince {
-  SE3d T_now_ref;
+  SE3d T_now_ref;                                        ///< composed motion
   Matrix6<double> covariance = Matrix6<double>::Zero();  ///< of its left twist
-  double gain = 1, offset = 0;                           ///< I_now = gain I_ref + offset
+  double gain = 1;                                       ///< I_now = gain I_ref + offset
+  double offset = 0;                                     ///< grey values
   int intervals = 0;                                     ///< steps
 
   /// The motion with one more step.
   CameraSince after(const SE3d& T_cur_prev, const Matrix6<double>& step_covariance, double step_gain,
                     double step_offset) const;
+  /// The same, with the step of a frame.
   CameraSince after(const CameraStep& step) const {
     return after(step.T_cur_prev, step.covariance, step.alignment.state.gain, step.alignment.state.offset);
   }

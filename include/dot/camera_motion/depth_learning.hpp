@@ -27,38 +27,45 @@ DOT_BEGIN_NAMESPACE
 /// scale the priors of DepthNoise: `change` against the previous frame, `common` against one about 0.4 s back. A
 /// standing camera sees the same errors again. So the image must have moved by kMinMotion pixels.
 struct DepthLearning {
-  static constexpr int kWidth = 40, kHeight = 30, kStep = 4;  ///< pixels: patch and sampling
-  static constexpr int kMinSamples = 40;                      ///< of the 80 of a patch
-  static constexpr int kPatches = 180;                        ///< enough patches of a frame
-  static constexpr double kMinMotion = 1.5;                   ///< pixels, median over the samples
-  static constexpr double kSharedQuantile = 0.85;             ///< of the patches' errors, whose tails are heavy
-  static constexpr float kSigmasOfQuantile = 1.44f;           ///< |x| / sigma of a normal at that quantile
-  static constexpr std::size_t kMinPatches = 5;               ///< of a comparison
-  static constexpr double kOtherSurface = 7;  ///< sigmas of one pixel; a larger difference is another surface
-  static constexpr double kRelief = 0.3;      ///< largest depth range of one surface, share of its distance
-  static constexpr double kLeastPixelScale = 0.2, kMostPixelScale = 2;
+  static constexpr int kWidth = 40;                  ///< pixels: patch
+  static constexpr int kHeight = 30;                 ///< pixels: patch
+  static constexpr int kStep = 4;                    ///< pixels: from one sample to the next
+  static constexpr int kMinSamples = 40;             ///< of the 80 of a patch
+  static constexpr int kPatches = 180;               ///< enough patches of a frame
+  static constexpr double kMinMotion = 1.5;          ///< pixels, median over the samples
+  static constexpr double kSharedQuantile = 0.85;    ///< of the patches' errors, whose tails are heavy
+  static constexpr float kSigmasOfQuantile = 1.44f;  ///< |x| / sigma of a normal at that quantile
+  static constexpr std::size_t kMinPatches = 5;      ///< of a comparison
+  static constexpr double kOtherSurface = 7;         ///< sigmas of one pixel; a larger difference is another surface
+  static constexpr double kRelief = 0.3;             ///< largest depth range of one surface, share of its distance
+  static constexpr double kLeastPixelScale = 0.2;    ///< smallest `pixel` that is believed
+  static constexpr double kMostPixelScale = 2;       ///< largest `pixel` that is believed
 
   /// Sampled patches of a frame.
   struct Patches {
-    std::vector<float> x, y, q;           ///< ray and inverse depth of each sample
+    std::vector<float> x;                 ///< ray (x, y, 1) of each sample, camera axes
+    std::vector<float> y;                 ///< ray (x, y, 1) of each sample, camera axes
+    std::vector<float> q;                 ///< inverse depth of each sample, 1/m
     std::vector<int> begin;               ///< first sample of each patch, and the end
     std::vector<DepthBias::Terms> place;  ///< bias terms at each patch's middle
     DepthBias bias;                       ///< that was subtracted from q
-    double timestamp = 0;
-    SE3d T_cur_ref;
+    double timestamp = 0;                 ///< of the frame, seconds
+    SE3d T_cur_ref;                       ///< camera motion from the frame to the newest one
   };
 
   /// One scale: the median of the values of up to kFrames frames. A single frame can be far off when something passes
   /// by.
   struct Scale {
-    static constexpr std::size_t kFrames = 20;
-    std::vector<float> said;
-    std::size_t next = 0;
+    static constexpr std::size_t kFrames = 20;  ///< that count
+    std::vector<float> said;                    ///< values of the last frames, in any order
+    std::size_t next = 0;                       ///< place of the next value in `said`
 
+    /// Forgets all values.
     void clear() noexcept {
       said.clear();
       next = 0;
     }
+    /// Adds the value of a frame.
     void add(float v) {
       if (said.size() < kFrames)
         said.push_back(v);
@@ -66,6 +73,7 @@ struct DepthLearning {
         said[next] = v;
       next = (next + 1) % kFrames;
     }
+    /// The median. @pre a value was added
     double value() const {
       std::array<float, kFrames> v;
       std::copy(said.begin(), said.end(), v.begin());
@@ -80,9 +88,11 @@ struct DepthLearning {
     }
   };
 
-  double reference_seconds = 0.4;
+  double reference_seconds = 0.4;  ///< age of the frame for `common`
   RecyclingList<Patches> history;  ///< newest first
-  Scale change, common, pixel;
+  Scale change;                    ///< of the shared error, against the previous frame
+  Scale common;                    ///< of the shared error, against the older frame
+  Scale pixel;                     ///< of the error of each pixel
 
   /// Drops the frames, but keeps the learnt scales.
   void clear() noexcept { history.clear(); }

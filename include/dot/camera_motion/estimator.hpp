@@ -33,7 +33,7 @@ DOT_BEGIN_NAMESPACE
 /// the spacing of the road markings, fits nearly as well as the true one. `accepts` then requires a better correlation,
 /// and that no other motion explains the image about as well.
 struct CameraMotionEstimator {
-  CameraSettings settings;
+  CameraSettings settings;  ///< conditions for accepting a motion, and the range of the search
 
   /// @param predicted T_c, the most trusted first, at least one. @param search for other starts if the motion is
   /// unknown, or null. @return the alignment; `covariance` is that of the left twist of T_c, `margin` that over the

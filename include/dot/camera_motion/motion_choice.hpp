@@ -32,7 +32,7 @@ struct MotionEvidence {
 /// it can reach both or none, the cells of the image decide, of the background and of the objects.
 class MotionChoice {
  public:
-  std::size_t chosen = 0;
+  std::size_t chosen = 0;            ///< place of the chosen motion in `candidates`
   std::optional<std::size_t> rival;  ///< the one in contest with it over which its lead is least, if any
   /// Variance of each component of the chosen motion's left twist, if the votes are close: the squared distance to its
   /// rival, of translation and of rotation. Otherwise zero.

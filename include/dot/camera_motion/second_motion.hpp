@@ -20,8 +20,8 @@ DOT_BEGIN_NAMESPACE
 struct SecondMotion {
   static constexpr float kUnexplained = 0.3f;  ///< share of the highest cost of a point
   static constexpr double kMinShare = 0.1;     ///< of the visible points
-  static constexpr int kMinPoints = 50;
-  static constexpr int kPerObject = 100;  ///< points of an object, which may stand
+  static constexpr int kMinPoints = 50;        ///< that another motion must explain
+  static constexpr int kPerObject = 100;       ///< points of an object, which may stand
 
   /// @param problem of some points, as of the search. @param best motion found so far. @param depth of the points,
   /// metres. @param level on which minima are told apart. @param sigma grey values, scale of the residuals there.

@@ -6,6 +6,7 @@
 
 namespace dot {
 
+/// How the camera's motion over the last interval was found.
 enum class CameraStatus : std::uint8_t {
   FirstFrame,      ///< no reference yet, or references dropped: T_cur_prev is the identity without meaning
   Tracked,         ///< estimated from the image

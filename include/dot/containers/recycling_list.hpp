@@ -45,20 +45,34 @@ class RecyclingList {
   };
 
  public:
+  /// Over the elements in their order.
   using iterator = Iterator<T, typename Slots::iterator>;
+  /// The same, read only.
   using const_iterator = Iterator<const T, typename Slots::const_iterator>;
 
+  /// Number of elements in the list.
   std::size_t size() const { return size_; }
+  /// Whether there are none.
   bool empty() const { return size_ == 0; }
+  /// The i-th element, i < size().
   T& operator[](std::size_t i) { return *slots_[i]; }
+  /// The i-th element, i < size().
   const T& operator[](std::size_t i) const { return *slots_[i]; }
+  /// The first element. @pre not empty
   T& front() { return *slots_.front(); }
+  /// The first element. @pre not empty
   const T& front() const { return *slots_.front(); }
+  /// The last element. @pre not empty
   T& back() { return *slots_[size_ - 1]; }
+  /// The last element. @pre not empty
   const T& back() const { return *slots_[size_ - 1]; }
+  /// The first element's place.
   iterator begin() { return iterator(slots_.begin()); }
+  /// The place after the last element.
   iterator end() { return iterator(slots_.begin() + length()); }
+  /// The first element's place.
   const_iterator begin() const { return const_iterator(slots_.begin()); }
+  /// The place after the last element.
   const_iterator end() const { return const_iterator(slots_.begin() + length()); }
 
   /// Inserts a new element before the i-th.
@@ -69,14 +83,19 @@ class RecyclingList {
     ++size_;
     return **place;
   }
+  /// Puts an element at the front. It has the contents of a removed one, or is new.
   T& push_front() { return insert(0); }
+  /// Puts an element at the back. It has the contents of a removed one, or is new.
   T& push_back() { return insert(size_); }
 
+  /// Removes the first element and keeps it for later use. @pre not empty
   void pop_front() {
     std::rotate(slots_.begin(), slots_.begin() + 1, slots_.begin() + length());
     --size_;
   }
+  /// Removes the last element and keeps it for later use. @pre not empty
   void pop_back() { --size_; }
+  /// Removes all elements and keeps them for later use.
   void clear() noexcept { size_ = 0; }
 
   /// Drops the elements for which `condition` holds; the others keep their order.

@@ -22,6 +22,7 @@ struct Candidacy {
   double confirmed = 0;       ///< seconds with fits that agreed with earlier ones, minus seconds with others
   double support = 0;         ///< share of the mask that contradicts a static scene; smoothed
 
+  /// Whether its motion was confirmed for long enough to report it.
   bool was_confirmed() const { return confirmed >= kConfirmedSeconds; }
 
   /// Judges this frame's fit. Must be called before the belief takes the fit. A region that is not one rigid object, or

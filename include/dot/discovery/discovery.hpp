@@ -32,8 +32,8 @@ class Discovery {
   static constexpr std::uint8_t kStanding = 254;  ///< an object that was found before and is static
   static constexpr std::uint8_t kCovered = 255;   ///< a mask of the network
 
-  double reference_seconds = 0.4;
-  std::vector<Mask> masks;  ///< of the regions of this frame
+  double reference_seconds = 0.4;  ///< age of the oldest frame that the new one is compared with
+  std::vector<Mask> masks;         ///< of the regions of this frame
 
   /// The depth noise with which `find` compares. Its scales are learnt from the background, and an object without a
   /// mask is part of that background. If the object moves, it makes the learnt noise larger. The bound keeps this
@@ -47,6 +47,7 @@ class Discovery {
     return noise;
   }
 
+  /// Forgets all frames.
   void clear() noexcept {
     history_.clear();
     seen_.resize(0, 0);

@@ -16,11 +16,12 @@ DOT_BEGIN_NAMESPACE
 
 /// A frame as used by the inconsistency test: the pixels ("cells") of one coarse pyramid level.
 struct CellFrame {
-  Image<std::uint8_t> grey;
-  Image<float> q;         ///< inverse depth, 1/m, 0 = none
-  Image<float> nearest;   ///< largest inverse depth of the 3x3 cells around each, 0 = none
-  Image<float> farthest;  ///< smallest inverse depth of these, 0 = none
+  Image<std::uint8_t> grey;  ///< grey values
+  Image<float> q;            ///< inverse depth, 1/m, 0 = none
+  Image<float> nearest;      ///< largest inverse depth of the 3x3 cells around each, 0 = none
+  Image<float> farthest;     ///< smallest inverse depth of these, 0 = none
 
+  /// Takes a level of the image and of the inverse depth, of the same size.
   void build(const Image<std::uint8_t>& grey_level, const Image<float>& depth_level) {
     grey = grey_level;
     q = depth_level;
@@ -47,10 +48,11 @@ struct CellFrame {
 
 /// How much each cell of the new frame contradicts a static scene, in sigma. It is the maximum over the references.
 struct Inconsistency {
-  Image<float> depth;
-  Image<float> photo;
+  Image<float> depth;     ///< of the measured depth with the predicted one
+  Image<float> photo;     ///< of the grey value with the predicted one
   Image<float> receding;  ///< 1/m per second, signed: speed at which the last frame's surface there recedes
 
+  /// Sets the size, and all cells to 0.
   void clear(int width, int height) {
     for (Image<float>* image : {&depth, &photo, &receding}) {
       image->resize(width, height);
@@ -61,9 +63,10 @@ struct Inconsistency {
 
 /// The change between a reference and the new frame if the scene is static.
 struct CellMotion {
-  SE3d T_cur_ref;
+  SE3d T_cur_ref;                ///< motion of the camera
   double translation_sigma = 0;  ///< metres, of T_cur_ref
-  double gain = 1, offset = 0;   ///< I_cur = gain I_ref + offset
+  double gain = 1;               ///< I_cur = gain I_ref + offset
+  double offset = 0;             ///< grey values
   double seconds = 0;            ///< between the two
   bool adjacent = false;         ///< the last interval; only the change of the shared depth error counts
 };

@@ -18,6 +18,8 @@ DOT_BEGIN_NAMESPACE
 /// @param region cells as y * q.width() + x, of pixels of size `cell`. @param q of the cells.
 class RegionPainter {
  public:
+  /// @param pixels inverse depth of the pixels, 1/m. @param sigma its standard deviation at an inverse depth. @param
+  /// out the mask, in pixels.
   template <typename Sigma>
   void operator()(const std::vector<int>& region, const Image<float>& q, const Image<float>& pixels, int cell,
                   Sigma&& sigma, Mask& out) {

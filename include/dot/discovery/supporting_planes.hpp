@@ -19,7 +19,7 @@ DOT_BEGIN_NAMESPACE
 /// inverse depth over the image, q = a u + b v + c.
 class SupportingPlanes {
  public:
-  static constexpr int kMaxPlanes = 3;
+  static constexpr int kMaxPlanes = 3;     ///< of a frame
   static constexpr double kShare = 0.1;    ///< least share of the measurements on a plane
   static constexpr double kBehind = 0.25;  ///< largest number behind it, relative to those on it
   static constexpr double kRise = 0.1;     ///< lower points count as on it; relative to the nearest plane's distance
@@ -43,7 +43,9 @@ class SupportingPlanes {
     set_rise(camera);
   }
 
+  /// Number of planes found.
   int count() const { return static_cast<int>(planes_.size()); }
+  /// Forgets the planes.
   void clear() { planes_.clear(); }
 
   /// Whether a measurement lies on a plane, or behind it.

@@ -17,20 +17,20 @@ namespace dot {
 /// One instance of a segmentation. Its mask is either `mask` (any 8-bit image, non-zero = object, placed with its top
 /// left corner at x, y of the frame), or, where `mask` is empty, the pixels of Masks::ids that equal `id`.
 struct Instance {
-  std::uint32_t id = 0;  ///< the caller's, need not be stable from frame to frame
-  ImageRef mask;         ///< Grey8 or Id8
-  int x = 0;             ///< pixels
-  int y = 0;             ///< pixels
-  std::int32_t class_id = -1;
-  float score = 1;
+  std::uint32_t id = 0;         ///< the caller's, need not be stable from frame to frame
+  ImageRef mask;                ///< Grey8 or Id8
+  int x = 0;                    ///< pixels
+  int y = 0;                    ///< pixels
+  std::int32_t class_id = -1;   ///< the caller's, -1 = unknown
+  float score = 1;              ///< of the network; returned in the result
   bool always_dynamic = false;  ///< people and other non-rigid objects: always reported as moving (paper, section 3.2)
 };
 
 /// The segmentation of one frame: an id image, or a list of instances that may overlap, or an id image with a list that
 /// gives class and score of some of its ids. Both empty: the network ran and found nothing.
 struct Masks {
-  ImageRef ids;  ///< Id8, Id16 or Id32, of the frame's size, 0 = background
-  Span<Instance> instances;
+  ImageRef ids;              ///< Id8, Id16 or Id32, of the frame's size, 0 = background
+  Span<Instance> instances;  ///< may overlap
 };
 
 /// A camera motion that the host knows better than the tracker, with its covariance.

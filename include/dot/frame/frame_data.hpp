@@ -15,10 +15,11 @@ DOT_BEGIN_NAMESPACE
 struct FrameData {
   std::uint64_t id = 0;  ///< the caller's
   double timestamp = 0;  ///< seconds
-  Pyramid pyramid;
-  DepthPyramid depth;  ///< 1/m, after `bias` was subtracted
-  DepthBias bias;
+  Pyramid pyramid;       ///< of the grey image
+  DepthPyramid depth;    ///< 1/m, after `bias` was subtracted
+  DepthBias bias;        ///< that was subtracted from `depth`
 
+  /// Of full size, 1/m.
   const Image<float>& inverse_depth() const { return depth.levels[0]; }
 };
 

@@ -57,6 +57,7 @@ class GreyRows {
 /// metres.
 class InverseDepthRows {
  public:
+  /// @param depth borrowed. @param max_depth metres; farther depth counts as not measured.
   InverseDepthRows(const ImageRef& depth, double max_depth, const kernel::Kernels& kernels = portable_kernels())
       : depth_(depth), kernels_(kernels), words_(depth.format == PixelFormat::DepthU16) {
     const double units_per_metre = words_ ? depth.depth_units_per_metre : 1;
@@ -64,6 +65,7 @@ class InverseDepthRows {
               static_cast<float>(max_depth * units_per_metre)};
   }
 
+  /// Writes row y to `out`, which has room for it: 1/m, 0 = not measured.
   void operator()(int y, float* out) const {
     const void* row = static_cast<const unsigned char*>(depth_.data) + y * depth_.stride;
     if (words_)
@@ -95,6 +97,7 @@ class UnbiasedDepthRows {
     }
   }
 
+  /// Writes row y to `out`, which has room for it: 1/m, 0 = not measured.
   void operator()(int y, float* out) {
     measured_(y, rows_.row(0));
     row_.t = 2 * static_cast<float>(y) / static_cast<float>(height_) - 1;

@@ -15,7 +15,7 @@ DOT_BEGIN_NAMESPACE
 /// that belong to the nearest surface among them (kernel::kSameSurface). A mean across a depth edge would be on no
 /// surface.
 struct DepthPyramid {
-  std::vector<Image<float>> levels;
+  std::vector<Image<float>> levels;  ///< 1/m, 0 = none; level 0 has full size
 
   /// @param bottom bottom(y, out): row y of level 0, from the top.
   template <typename Bottom>

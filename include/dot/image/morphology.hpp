@@ -45,12 +45,14 @@ void pick_in_windows(ImageView<const T> in, Pick&& pick, Image<T>& rows, ImageVi
   }
 }
 
+/// Sets each pixel to the largest value at most kReach rows and columns away. @param rows scratch.
 template <int kReach, typename T>
 void dilate(ImageView<const T> in, Image<T>& rows, ImageView<T> out) {
   pick_in_windows<kReach>(
       in, [](T a, T b) { return a > b ? a : b; }, rows, out);
 }
 
+/// Sets each pixel to the smallest value at most kReach rows and columns away. @param rows scratch.
 template <int kReach, typename T>
 void erode(ImageView<const T> in, Image<T>& rows, ImageView<T> out) {
   pick_in_windows<kReach>(

@@ -18,10 +18,13 @@ DOT_BEGIN_NAMESPACE
 /// noise and aliasing in the gradients. A pixel of level l + 1 is the mean of 2x2 pixels of level l, so u_l = (u_0 +
 /// 0.5) / 2^l - 0.5.
 struct Pyramid {
-  std::vector<Image<std::uint8_t>> levels;
+  std::vector<Image<std::uint8_t>> levels;  ///< level 0 has full size
 
+  /// Columns of level 0.
   int width() const { return levels.empty() ? 0 : levels[0].width(); }
+  /// Rows of level 0.
   int height() const { return levels.empty() ? 0 : levels[0].height(); }
+  /// Number of levels.
   int size() const { return static_cast<int>(levels.size()); }
 
   /// @param grey_row grey_row(y): row y of the image. All rows are requested in order; after a row, up to four rows
@@ -38,6 +41,7 @@ struct Pyramid {
     };
     build_levels(width, height, level_count, blurred_row, kernels.halve, levels);
   }
+  /// The same from a grey image.
   void build(ImageView<const std::uint8_t> grey, int level_count, const kernel::Kernels& kernels = portable_kernels(),
              double blur_sigma = 0.8) {
     build(
@@ -74,7 +78,9 @@ inline float bilinear(const Image<std::uint8_t>& image, float u, float v) {
 
 /// Value and gradient of an 8-bit image at (u, v), bilinear between the pixels' values and central differences.
 struct Sample {
-  float value, gx, gy;  ///< grey values; grey values per pixel
+  float value;  ///< grey values
+  float gx;     ///< grey values per pixel, to the right
+  float gy;     ///< grey values per pixel, downwards
 };
 
 /// @pre 1 <= u < width - 2 and 1 <= v < height - 2.

@@ -14,18 +14,23 @@ namespace dot {
 /// A view of rows of `T`, `stride` bytes apart; it owns nothing. `T` may be const.
 template <typename T>
 struct ImageView {
-  T* data = nullptr;
+  T* data = nullptr;          ///< top left pixel
   int width = 0;              ///< pixels
   int height = 0;             ///< pixels
   std::ptrdiff_t stride = 0;  ///< bytes from one row to the next
 
+  /// The first pixel of row y.
   T* row(int y) const {
     using Byte = std::conditional_t<std::is_const_v<T>, const unsigned char, unsigned char>;
     return reinterpret_cast<T*>(reinterpret_cast<Byte*>(data) + y * stride);
   }
+  /// The pixel in column x, row y, which must be inside.
   T& operator()(int x, int y) const { return row(y)[x]; }
+  /// Whether it has no pixels.
   bool empty() const { return data == nullptr || width <= 0 || height <= 0; }
+  /// Whether column x, row y is inside.
   bool contains(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
+  /// The same pixels, read only.
   operator ImageView<const T>() const { return {data, width, height, stride}; }
 };
 
@@ -44,13 +49,14 @@ enum class PixelFormat : std::uint8_t {
 
 /// An image of the caller, in one of the formats that a Frame accepts. Borrowed for the duration of one call.
 struct ImageRef {
-  const void* data = nullptr;
-  int width = 0;              ///< pixels
-  int height = 0;             ///< pixels
-  std::ptrdiff_t stride = 0;  ///< bytes from one row to the next
-  PixelFormat format = PixelFormat::Grey8;
-  double depth_units_per_metre = 1000;  ///< DepthU16 only: 1000 for RGB-D cameras, 256 for KITTI files
+  const void* data = nullptr;               ///< top left pixel, aligned to its number type
+  int width = 0;                            ///< pixels
+  int height = 0;                           ///< pixels
+  std::ptrdiff_t stride = 0;                ///< bytes from one row to the next
+  PixelFormat format = PixelFormat::Grey8;  ///< what the pixels mean
+  double depth_units_per_metre = 1000;      ///< DepthU16 only: 1000 for RGB-D cameras, 256 for KITTI files
 
+  /// Whether it has no pixels.
   bool empty() const { return data == nullptr || width <= 0 || height <= 0; }
 };
 

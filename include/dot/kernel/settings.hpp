@@ -5,7 +5,12 @@
 namespace dot {
 
 /// The machine that the kernels are for, see kernel/dispatch.hpp.
-enum class KernelVariant { Auto, Portable, Avx2, Avx512 };
+enum class KernelVariant {
+  Auto,      ///< the best for the machine that the program runs on
+  Portable,  ///< any machine
+  Avx2,      ///< x86-64 with AVX2 and FMA
+  Avx512     ///< x86-64 with AVX-512
+};
 
 /// The source of the gradients in the derivatives of the residual.
 enum class GradientSource {

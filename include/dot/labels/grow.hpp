@@ -15,11 +15,13 @@ DOT_BEGIN_NAMESPACE
 
 /// Buffers of `grow`.
 struct GrowWorkspace {
+  /// A pixel of the object from which it grows.
   struct Pixel {
-    int x, y;
+    int x;    ///< column
+    int y;    ///< row
     float q;  ///< 1/m, its own; its neighbour's if not measured
   };
-  std::vector<Pixel> front;
+  std::vector<Pixel> front;  ///< pixels whose neighbours were not looked at yet
 };
 
 /// Grows an object's pixels in `ids` into parts of it that the last segmentation could not see. Such parts have since

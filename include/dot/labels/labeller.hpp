@@ -19,7 +19,7 @@ DOT_BEGIN_NAMESPACE
 template <typename Camera, typename Noise>
 class Labeller {
  public:
-  using List = std::vector<Track*>;
+  using List = std::vector<Track*>;  ///< tracks, borrowed
 
   /// Labels the current frame by the masks of these tracks. Reduces the tracks' masks to their visible parts.
   /// @param far_to_near the last one is on top. @param camera_step led to the frame. @param segmented there are masks
@@ -27,7 +27,9 @@ class Labeller {
   void label(const List& far_to_near, const FramePtr& cur, const CameraStep& camera_step, bool segmented,
              const Camera& camera, const Noise& noise, const MaskSettings& settings);
 
+  /// The State of each pixel, valid until the next `label`.
   const Image<std::uint8_t>& labels() const { return labels_; }
+  /// The track id of each pixel, 0 = background, valid until the next `label`.
   const Image<std::uint32_t>& ids() const { return ids_; }
 
   /// Makes a past frame the last segmented one, with the masks of these tracks.

@@ -14,18 +14,19 @@ DOT_BEGIN_NAMESPACE
 
 /// A frame without segmentation, whose masks may still arrive.
 struct AwaitedFrame {
-  FramePtr frame;
+  FramePtr frame;           ///< kept until its masks come or are too late
   CameraStep camera;        ///< the step that led to it
   CameraSince since;        ///< the camera's motion since then
   bool since_known = true;  ///< whether that was measured in every frame since
 
+  /// Of the frame, seconds.
   double timestamp() const { return frame->timestamp; }
 };
 
 /// The frames since the last segmentation, the oldest first.
 class AwaitedFrames {
  public:
-  using const_iterator = std::vector<AwaitedFrame>::const_iterator;
+  using const_iterator = std::vector<AwaitedFrame>::const_iterator;  ///< a place in the list
 
   /// Moves all to the next frame. @param step led to that frame.
   void advance(const CameraStep& step) {
@@ -57,11 +58,16 @@ class AwaitedFrames {
 
   /// Drops all frames up to this one, including it.
   void drop_through(const_iterator last) { frames_.erase(frames_.begin(), std::next(last)); }
+  /// Drops all frames.
   void clear() noexcept { frames_.clear(); }
 
+  /// The oldest frame.
   const_iterator begin() const { return frames_.begin(); }
+  /// The place after the newest frame.
   const_iterator end() const { return frames_.end(); }
+  /// Whether no frame waits.
   bool empty() const { return frames_.empty(); }
+  /// Number of frames that wait.
   std::size_t size() const { return frames_.size(); }
 
  private:

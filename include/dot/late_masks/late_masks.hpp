@@ -16,18 +16,19 @@ DOT_BEGIN_NAMESPACE
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 class LateMasks {
  public:
-  using TracksT = Tracks<Camera, Classifier, Noise, Aligner>;
-  using Setup = typename TracksT::Setup;
+  using TracksT = Tracks<Camera, Classifier, Noise, Aligner>;  ///< the objects
+  using Setup = typename TracksT::Setup;                       ///< the policies and settings
 
   /// The stages that process masks. The masks change their states.
   struct Stages {
-    TracksT& tracks;
-    Observations& observations;
-    Labeller<Camera, Noise>& labeller;
-    const Discovery<Camera, Noise>& discovery;
-    const Setup& setup;
+    TracksT& tracks;                            ///< all objects
+    Observations& observations;                 ///< scratch for the masks
+    Labeller<Camera, Noise>& labeller;          ///< makes the labels again
+    const Discovery<Camera, Noise>& discovery;  ///< for its bounded depth noise
+    const Setup& setup;                         ///< policies and settings
   };
 
+  /// The frames that wait for their masks.
   const AwaitedFrames& frames() const { return frames_; }
 
   /// Moves all to the next frame. @param step led to that frame.
@@ -44,6 +45,7 @@ class LateMasks {
   /// @param then one of `frames`. @param now timestamp of the newest frame.
   void apply(AwaitedFrames::const_iterator then, const Masks& masks, double now, const Stages& stages);
 
+  /// Forgets these frames.
   void clear() noexcept { frames_.clear(); }
 
  private:

@@ -12,8 +12,10 @@
 
 DOT_BEGIN_NAMESPACE
 
+/// A twist [translation; rotation], metres and radians.
 template <typename S>
 using Vector6 = Eigen::Matrix<S, 6, 1>;
+/// Covariance or information of a twist.
 template <typename S>
 using Matrix6 = Eigen::Matrix<S, 6, 6>;
 
@@ -21,10 +23,10 @@ using Matrix6 = Eigen::Matrix<S, 6, 6>;
 /// Eigen does not align members of these sizes, so SE3 may be stored in any container.
 template <typename S>
 struct SE3 {
-  using Scalar = S;
+  using Scalar = S;  ///< the number type
 
-  Matrix3<S> R = Matrix3<S>::Identity();
-  Vector3<S> t = Vector3<S>::Zero();  ///< metres
+  Matrix3<S> R = Matrix3<S>::Identity();  ///< rotation
+  Vector3<S> t = Vector3<S>::Zero();      ///< metres
 
   /// [exp([phi]x), J(phi) rho; 0, 1] for xi = [rho; phi], J the left Jacobian of SO(3).
   static SE3 exp(const Vector6<S>& xi) {
@@ -42,10 +44,14 @@ struct SE3 {
     return xi;
   }
 
+  /// Moves by `v`, metres, without a rotation.
   static SE3 translation(const Vector3<S>& v) { return {Matrix3<S>::Identity(), v}; }
 
+  /// The motion back.
   SE3 inverse() const { return {R.transpose(), -(R.transpose() * t)}; }
+  /// The composition: first `other`, then this.
   SE3 operator*(const SE3& other) const { return {R * other.R, R * other.t + t}; }
+  /// The point X after the motion.
   Vector3<S> operator*(const Vector3<S>& X) const { return R * X + t; }
 
   /// Ad with T exp(xi) T^-1 = exp(Ad xi):
@@ -58,6 +64,7 @@ struct SE3 {
     return ad;
   }
 
+  /// The same in another number type.
   template <typename S2>
   SE3<S2> cast() const {
     return {R.template cast<S2>(), t.template cast<S2>()};
@@ -81,8 +88,8 @@ struct SE3 {
   }
 };
 
-using SE3d = SE3<double>;
-using SE3f = SE3<float>;
+using SE3d = SE3<double>;  ///< for poses
+using SE3f = SE3<float>;   ///< for points
 
 static_assert(alignof(SE3d) == alignof(double) && alignof(SE3f) == alignof(float), "SE3 must need no alignment");
 

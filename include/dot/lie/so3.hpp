@@ -15,8 +15,10 @@
 
 DOT_BEGIN_NAMESPACE
 
+/// A point, direction or rotation vector.
 template <typename S>
 using Vector3 = Eigen::Matrix<S, 3, 1>;
+/// A rotation, or the covariance of three values.
 template <typename S>
 using Matrix3 = Eigen::Matrix<S, 3, 3>;
 

@@ -15,8 +15,8 @@ DOT_BEGIN_NAMESPACE
 
 /// An object's outline and its distance.
 struct Outline {
-  const Mask* mask = nullptr;
-  double inverse_depth = 0;  ///< 1/m, median; 0 if unknown
+  const Mask* mask = nullptr;  ///< borrowed
+  double inverse_depth = 0;    ///< 1/m, median; 0 if unknown
 };
 
 /// Finds the predicted outline that each observed one continues. The assignment minimises the sum of 1 - IoU. Allowed

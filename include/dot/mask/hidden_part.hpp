@@ -17,6 +17,7 @@ DOT_BEGIN_NAMESPACE
 /// Collects the part of an object that something nearer hides while a segmentation shows the rest of it.
 class HiddenPart {
  public:
+  /// Forgets what was collected.
   void clear() {
     pixels_.clear();
     level_ = 0;

@@ -14,10 +14,13 @@ DOT_BEGIN_NAMESPACE
 
 /// Buffers of `assign`.
 struct AssignWorkspace {
-  std::vector<int> column;          ///< of each row: the result
-  std::vector<double> u, v, slack;  ///< potentials of rows and columns, reduced costs
-  std::vector<int> row_of, previous;
-  std::vector<char> done;
+  std::vector<int> column;    ///< of each row: the result
+  std::vector<double> u;      ///< potentials of the rows
+  std::vector<double> v;      ///< potentials of the columns
+  std::vector<double> slack;  ///< least reduced cost of each column
+  std::vector<int> row_of;    ///< row of each column
+  std::vector<int> previous;  ///< column before each column on the augmenting path
+  std::vector<char> done;     ///< columns of the path's tree
 };
 
 /// Minimal-cost assignment (Hungarian method with potentials and shortest augmenting paths; Kuhn 1955, Jonker and

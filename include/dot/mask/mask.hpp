@@ -24,14 +24,18 @@ DOT_BEGIN_NAMESPACE
 /// The functions below make the crop tight: it has no empty border rows or columns, and no pixels at all if none is
 /// set.
 struct Mask {
-  int x = 0;
-  int y = 0;
-  Image<std::uint8_t> pixels;
-  int area = 0;  ///< set pixels
+  int x = 0;                   ///< column of the crop's left border in the frame
+  int y = 0;                   ///< row of the crop's upper border in the frame
+  Image<std::uint8_t> pixels;  ///< the crop: 255 = set, 0 = not
+  int area = 0;                ///< set pixels
 
+  /// Columns of the crop.
   int width() const { return pixels.width(); }
+  /// Rows of the crop.
   int height() const { return pixels.height(); }
+  /// Whether no pixel is set.
   bool empty() const { return area == 0; }
+  /// Makes it empty. Keeps the memory.
   void clear() {
     x = y = area = 0;
     pixels.resize(0, 0);
@@ -142,18 +146,23 @@ inline void mask_of(const ImageRef& image, int x, int y, int frame_width, int fr
 
 /// The runs of an id image, in the order of ids.
 struct IdRuns {
+  /// Neighbouring pixels of one row with the same id.
   struct Run {
-    std::uint32_t id;
-    int y, begin, end;  ///< pixels [begin, end) of row y
+    std::uint32_t id;  ///< as in the image
+    int y;             ///< row
+    int begin;         ///< first column
+    int end;           ///< column after the last
   };
   /// Runs [first, last) of one id, and the columns [left, right) that they lie in.
   struct Instance {
-    std::size_t first, last;
-    int left, right;
+    std::size_t first;  ///< first run
+    std::size_t last;   ///< run after the last
+    int left;           ///< first column
+    int right;          ///< column after the last
   };
-  std::vector<Run> runs;
-  std::vector<Instance> instances;
-  double box_area = 0;  ///< pixels, sum over the ids: memory of their masks
+  std::vector<Run> runs;            ///< sorted by id, then from top to bottom
+  std::vector<Instance> instances;  ///< one for each id
+  double box_area = 0;              ///< pixels, sum over the ids: memory of their masks
 };
 
 namespace id_runs {

@@ -17,22 +17,23 @@ DOT_BEGIN_NAMESPACE
 
 /// An instance in one frame, found by a network or discovered by its motion.
 struct Observation {
-  std::uint32_t instance_id = 0;
-  Mask mask;
-  std::int32_t class_id = -1;
-  float score = 0;
-  bool always_dynamic = false;
-  bool discovered = false;
+  std::uint32_t instance_id = 0;                     ///< the network's, see Instance
+  Mask mask;                                         ///< its pixels in the frame
+  std::int32_t class_id = -1;                        ///< the network's, -1 = unknown
+  float score = 0;                                   ///< the network's
+  bool always_dynamic = false;                       ///< flagged by the caller
+  bool discovered = false;                           ///< found by its motion
   bool assigned = false;                             ///< it belongs to a track
   Vector3<double> centre = Vector3<double>::Zero();  ///< of the mask at its median depth, metres; zero: no depth
 
+  /// Of `centre`, 1/m; 0: no depth.
   double inverse_depth() const { return centre.z() > 0 ? 1 / centre.z() : 0.0; }
 };
 
 /// The observations of one frame. Their addresses do not change while they are in the list.
 class Observations {
  public:
-  RecyclingList<Observation> list;
+  RecyclingList<Observation> list;  ///< those of the segmentation, and discovered ones
 
   /// Adds an observation for the caller to fill in.
   Observation& add() {

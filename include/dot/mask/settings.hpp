@@ -19,8 +19,8 @@ struct MaskSettings {
 /// Which objects the caller excludes by the mask; see pipeline/exclusion.hpp.
 struct ExclusionPolicy {
   bool exclude_not_observable = true;  ///< objects that were never decided; for others the last decision counts
-  bool exclude_static = false;
-  int dilation = 2;  ///< pixels
+  bool exclude_static = false;         ///< objects that are known to stand still, too
+  int dilation = 2;                    ///< pixels
 };
 
 }  // namespace dot

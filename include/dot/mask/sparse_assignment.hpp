@@ -14,18 +14,20 @@ DOT_BEGIN_NAMESPACE
 
 /// An allowed pair of a row and a column.
 struct PossiblePair {
-  int row = 0, column = 0;
-  double cost = 0;
-  int group = 0;  ///< set by `assign`
+  int row = 0;      ///< from 0
+  int column = 0;   ///< from 0
+  double cost = 0;  ///< finite
+  int group = 0;    ///< set by `assign`
 };
 
 /// Input and buffers of the `assign` below.
 struct SparseAssignWorkspace {
   std::vector<PossiblePair> pairs;  ///< to be filled in by the caller; sorted by `assign`
   std::vector<int> partner;         ///< of each row: the result
-  std::vector<int> group, columns;
-  std::vector<double> cost;
-  AssignWorkspace dense;
+  std::vector<int> group;           ///< of rows, then columns: a member of the same group
+  std::vector<int> columns;         ///< of one group
+  std::vector<double> cost;         ///< of one group, row-major
+  AssignWorkspace dense;            ///< for one group
 };
 
 /// Minimal-cost assignment if few of all pairs are possible. Rows and columns that are not connected by a chain of

@@ -19,12 +19,13 @@ DOT_BEGIN_NAMESPACE
 
 /// An object's outline and surface in one frame. `warp` moves it into other frames.
 struct MaskTemplate {
-  int level = 0;  ///< of the image pyramid, whose pixels all below is in
-  Mask mask;
+  int level = 0;               ///< of the image pyramid, whose pixels all below is in
+  Mask mask;                   ///< its pixels in the frame
   Image<float> inverse_depth;  ///< 1/m, crop of `mask`; smooth and without holes inside the mask, 0 outside
   double median = 0;           ///< 1/m, of the measured values that were used
   bool measured = false;       ///< false: the inverse depth is a guess, so the mask cannot be trimmed by depth
 
+  /// Makes it empty. Keeps the memory.
   void clear() {
     level = 0;
     mask.clear();
@@ -36,10 +37,10 @@ struct MaskTemplate {
 
 /// Buffers of make_template.
 struct TemplateWorkspace {
-  std::vector<float> values;
-  Image<double> sums;     ///< integral image of the accepted inverse depths, one row and column of zeros first
-  Image<int> counts;      ///< integral image of their number
-  std::vector<int> open;  ///< pixels of a row, x, without enough values so far
+  std::vector<float> values;  ///< measured inverse depths, 1/m
+  Image<double> sums;         ///< integral image of the accepted inverse depths, one row and column of zeros first
+  Image<int> counts;          ///< integral image of their number
+  std::vector<int> open;      ///< pixels of a row, x, without enough values so far
 };
 
 /// Masks with fewer measured pixels of the object get no template.

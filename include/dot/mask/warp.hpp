@@ -19,13 +19,14 @@ DOT_BEGIN_NAMESPACE
 
 /// A template as seen in another frame.
 struct WarpedMask {
-  Mask mask;
+  Mask mask;                   ///< its pixels in the other frame
   Image<float> inverse_depth;  ///< 1/m, predicted; same crop, 0 outside the mask
   double expected_area = 0;    ///< pixels that it would have in an unbounded image without occluders
   int inside_area = 0;         ///< pixels inside the image, before trimming
   int confirmed_area = 0;      ///< of these, pixels where the predicted depth was measured
   int occluded_area = 0;       ///< of these, pixels where something nearer was measured
 
+  /// Makes it empty. Keeps the memory.
   void clear() {
     mask.clear();
     inverse_depth.resize(0, 0);
@@ -55,7 +56,10 @@ inline constexpr float kMaxReach = 8;
 
 /// A box of image pixels, ends excluded.
 struct Box {
-  int x0, y0, x1, y1;
+  int x0;  ///< first column
+  int y0;  ///< first row
+  int x1;  ///< column after the last
+  int y1;  ///< row after the last
 };
 
 /// Projects the pixels (x + i, y), i < n, of inverse depths q[i] to pixels (u, v). z is the depth there over the depth

@@ -48,13 +48,15 @@ struct Belief {
   static constexpr double kFastVariance = 25;          ///< of motorway speeds, over ordinary speeds
   static constexpr double kOutlierVariance = 36;       ///< of a wrong fit's velocity, over ordinary speeds
 
-  double log_odds = 0;
+  double log_odds = 0;                                   ///< of *moves* over *stands*
   double p_turning = 0.01;                               ///< that it turns, if it moves
   Vector3<double> velocity = Vector3<double>::Zero();    ///< under *moves*; m/s, axes of the newest camera
   Matrix3<double> covariance = Matrix3<double>::Zero();  ///< zero: no filter yet
   VelocityTrust trust;                                   ///< in the filter
 
+  /// Probability that it moves, 0 to 1.
   double p_moving() const { return 1 / (1 + std::exp(-log_odds)); }
+  /// Whether it was measured once, so that `velocity` means something.
   bool has_velocity() const { return covariance(0, 0) > 0; }
 
   /// Predicts over `dt` seconds: objects start and stop, velocities change, and the camera turned by R_cur_prev.

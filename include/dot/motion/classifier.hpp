@@ -22,13 +22,14 @@ DOT_BEGIN_NAMESPACE
 
 /// A classifier's decision about an object.
 struct Decision {
-  State state = State::NotObservable;
-  double p_moving = 0.5;
+  State state = State::NotObservable;                    ///< Static, Moving or NotObservable
+  double p_moving = 0.5;                                 ///< probability that it moves, 0 to 1
   Vector3<double> velocity = Vector3<double>::Zero();    ///< fused, m/s, axes of the current camera
   Matrix3<double> covariance = Matrix3<double>::Zero();  ///< zero if there is no velocity
 };
 
 namespace classifier_concept {
+/// Whether T has Memory and the call of the concept.
 template <typename T, typename = void>
 inline constexpr bool holds_v = false;
 template <typename T>
@@ -46,25 +47,29 @@ inline constexpr bool is_classifier_v = classifier_concept::holds_v<T>;
 /// Default: tests whether the object is faster than v0 or turns as fast, by a belief over time, see Belief. A state is
 /// reached at the probability `decide` and kept down to `keep`.
 struct VelocityClassifier {
-  VelocitySettings settings;
+  VelocitySettings settings;  ///< thresholds and priors
 
+  /// What is known of an object.
   struct Memory {
-    Belief belief;
-    State state = State::NotObservable;
+    Belief belief;                       ///< over the fits so far
+    State state = State::NotObservable;  ///< after the last frame
   };
 
   /// v0 of an object at this range, m/s. Near objects count as moving at lower speeds.
   double v0(double range) const { return settings.v0_at(range); }
 
+  /// Decides on an object in a frame, see the concept.
   Decision operator()(Memory& m, const MotionEstimate* fit, const Matrix3<double>& R_cur_prev, double dt) const;
 };
 
 /// The velocity test of a single frame, without memory: moving if the 99 % ellipsoid of v excludes the ball
 /// |v| <= v0, static if it lies inside. For comparison.
 struct SingleFrameClassifier {
-  VelocitySettings settings;
+  VelocitySettings settings;  ///< of these, only those of v0 count
+  /// Nothing is kept.
   struct Memory {};
 
+  /// Decides on an object in a frame, see the concept.
   Decision operator()(Memory&, const MotionEstimate* fit, const Matrix3<double>& R_cur_prev, double) const;
 };
 
@@ -72,13 +77,15 @@ struct SingleFrameClassifier {
 /// printed condition H > H_min would reject the best observed objects first; `literal` applies it as printed.
 /// Moving if d_d > f(H) = max(d_min, k d_noise).
 struct EntropyClassifier {
-  EntropySettings settings;
-  bool literal = false;
+  EntropySettings settings;  ///< thresholds
+  bool literal = false;      ///< whether to apply the condition as printed
 
+  /// What is known of an object.
   struct Memory {
-    State state = State::NotObservable;
+    State state = State::NotObservable;  ///< after the last frame
   };
 
+  /// Decides on an object in a frame, see the concept.
   Decision operator()(Memory& m, const MotionEstimate* fit, const Matrix3<double>& R_cur_prev, double) const;
 };
 

@@ -16,11 +16,11 @@ enum class ClassifierKind : std::uint8_t {
 
 /// The conditions for accepting an object's motion, and the range of its search.
 struct ObjectSettings {
-  int min_points = 30;             ///< inside the image
-  double min_visible = 0.25;       ///< share of the object's points inside the image
-  double min_phi = 0.85;           ///< Pearson correlation
-  double min_phi_expected = 0.75;  ///< of a fit that agrees with the known velocity; below min_phi it is no evidence
-  int min_inliers = 20;
+  int min_points = 30;               ///< inside the image
+  double min_visible = 0.25;         ///< share of the object's points inside the image
+  double min_phi = 0.85;             ///< Pearson correlation
+  double min_phi_expected = 0.75;    ///< of a fit that agrees with the known velocity; below min_phi it is no evidence
+  int min_inliers = 20;              ///< points that fit the line between intensities
   double min_inlier_share = 0.4;     ///< of the visible points
   double min_depth_agreement = 0.5;  ///< share of the points that the measured depth confirms
   double max_speed = 70;             ///< m/s
@@ -38,8 +38,8 @@ struct MotionPriorSettings {
   double offset = 10;           ///< grey values, 1 sigma of an object's offset about the camera's
   bool ground_vehicle = false;  ///< rotate about the up vector only, move in the ground plane
   double up_x = 0;              ///< up, camera axes (used with ground_vehicle)
-  double up_y = -1;
-  double up_z = 0;
+  double up_y = -1;             ///< down is positive y
+  double up_z = 0;              ///< ahead is positive z
 };
 
 /// The velocity test. Near objects are slow and precisely measured, far ones are vehicles. So some settings are limits
@@ -67,12 +67,15 @@ struct VelocitySettings {
   double outliers = 0.02;                  ///< share of fits that are wrong
   double max_evidence_rate = 60;           ///< 1/s, log odds gained per time at most
   double max_evidence = 6;                 ///< log odds gained by one fit at most, because it may be wrong
-  double max_log_odds = 6;
+  double max_log_odds = 6;  ///< the belief stays within this: an object's state can change in a bounded time
 
-  // At a range, metres.
+  /// v0 at a range in metres, m/s.
   double v0_at(double range) const { return std::max(1e-3, std::min(v0, v0_per_square_metre * range * range)); }
+  /// `floor` at a range in metres, m/s.
   double floor_at(double range) const { return std::min(floor, floor_per_square_metre * range * range); }
+  /// `acceleration` at a range in metres, m/s^2.
   double acceleration_at(double range) const { return std::min(acceleration, acceleration_per_metre * range); }
+  /// `prior_speed` at a range in metres, m/s.
   double prior_speed_at(double range) const { return std::min(prior_speed, prior_speed_per_metre * range); }
 };
 

@@ -8,9 +8,9 @@ namespace dot {
 
 /// The label of an object and of each of its pixels. The values are those of the label image.
 enum class State : std::uint8_t {
-  Background = 0,
-  Static = 1,
-  Moving = 2,
+  Background = 0,    ///< no object
+  Static = 1,        ///< it stands
+  Moving = 2,        ///< it moves
   NotObservable = 3  ///< the data does not decide between Static and Moving
 };
 

@@ -15,6 +15,7 @@ class VelocityTrust {
   static constexpr double kSeconds = 0.15;
   static constexpr int kFits = 2;  ///< least number in a row
 
+  /// Whether the velocity is known well enough to be used.
   bool known() const { return known_; }
 
   /// Counts an accepted fit. @param dt seconds since the frame before.

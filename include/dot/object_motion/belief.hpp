@@ -13,11 +13,11 @@ DOT_BEGIN_NAMESPACE
 
 /// The belief about one object's motion. `now` is the newest frame that the object was followed to.
 struct ObjectBelief {
-  bool always_dynamic = false;  ///< the caller says that it moves, whatever is measured
-  State state = State::NotObservable;
-  State last_decided = State::NotObservable;  ///< the last that was Static or Moving
-  double p_moving = 0.5;
-  Vector3<double> velocity_now = Vector3<double>::Zero();         ///< fused, m/s, axes of that frame's camera
+  bool always_dynamic = false;                             ///< the caller says that it moves, whatever is measured
+  State state = State::NotObservable;                      ///< after that frame
+  State last_decided = State::NotObservable;               ///< the last that was Static or Moving
+  double p_moving = 0.5;                                   ///< probability that it moves, after that frame
+  Vector3<double> velocity_now = Vector3<double>::Zero();  ///< fused, m/s, axes of that frame's camera
   Matrix3<double> velocity_covariance = Matrix3<double>::Zero();  ///< in the same axes; zero: no velocity
   VelocityTrust trust;                                            ///< in `velocity_now`
   double last_fit = 0;  ///< timestamp of the last fit that the velocity agrees with

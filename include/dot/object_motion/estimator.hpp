@@ -21,9 +21,9 @@ DOT_BEGIN_NAMESPACE
 /// residual is added to the photometric one. The fit starts from several places, is checked, and gives a consistent
 /// covariance of the velocity.
 struct ObjectMotionEstimator {
-  ObjectSettings settings;
-  MotionPriorSettings prior;
-  VelocitySettings velocity;
+  ObjectSettings settings;    ///< conditions for accepting a motion, and the range of the search
+  MotionPriorSettings prior;  ///< how objects move
+  VelocitySettings velocity;  ///< scales and floor of the velocity's covariance
 
   /// @param starts of T_o, in the reference camera's axes, the most trusted first; empty if all lie behind the camera.
   /// @param coarsest level that the alignment may start on.

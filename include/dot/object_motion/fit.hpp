@@ -9,13 +9,15 @@ DOT_BEGIN_NAMESPACE
 
 /// One object's motion over one interval, or the reason why there is none.
 struct ObjectFit {
-  Reason reason = Reason::Diverged;
+  Reason reason = Reason::Diverged;                 ///< None if there is a motion
   SE3d T_o;                                         ///< reference camera's axes
   Matrix6<double> sigma = Matrix6<double>::Zero();  ///< Sigma_x: twist of T_o about the moved centroid, photometric
-  double phi = 0;
-  int n_points = 0, n_inliers = 0;
-  MotionEstimate motion;
+  double phi = 0;                                   ///< Pearson correlation
+  int n_points = 0;                                 ///< points inside the image
+  int n_inliers = 0;                                ///< of these, points that fit the line between intensities
+  MotionEstimate motion;                            ///< velocity and its errors
 
+  /// Whether there is a motion.
   bool ok() const { return reason == Reason::None; }
 
   /// For a fit to an image taken *before* the reference: the same motion forwards, in the axes of that image's camera.

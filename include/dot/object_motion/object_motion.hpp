@@ -14,11 +14,11 @@ DOT_BEGIN_NAMESPACE
 
 /// One object's motion over the last interval. Motions are in the axes of the previous frame's camera.
 struct ObjectStep {
-  ObjectFit fit;            ///< of the interval, or the reason why there is none
-  SE3d T_o;                 ///< moves the points: fit and known velocity, else the prediction
-  SE3d T_o_outline;         ///< moves the outline: the same without the noise of its rotation
-  MotionEstimate evidence;  ///< of the most precise reference, if there is one
-  bool has_evidence = false;
+  ObjectFit fit;              ///< of the interval, or the reason why there is none
+  SE3d T_o;                   ///< moves the points: fit and known velocity, else the prediction
+  SE3d T_o_outline;           ///< moves the outline: the same without the noise of its rotation
+  MotionEstimate evidence;    ///< of the most precise reference, if there is one
+  bool has_evidence = false;  ///< whether there is one
   /// Timestamp since which its predicted places were wrong. It is that of the older reference that found it again.
   double astray_since = std::numeric_limits<double>::infinity();
 };

@@ -15,6 +15,7 @@ DOT_BEGIN_NAMESPACE
 /// frame changes M_t to T_c T_o M_t T_c^-1.
 class ObjectPath {
  public:
+  /// Forgets the past.
   void clear() { past_.clear(); }
 
   /// Appends the last interval: the camera's motion T_c and the object's T_o, axes of the previous camera.

@@ -20,8 +20,8 @@ DOT_BEGIN_NAMESPACE
 /// The last interval: its two frames and the camera's motion between them.
 struct Interval {
   const FrameData* prev = nullptr;  ///< used by `align_backwards` only; null if there is none, and in a replay
-  const FrameData& cur;
-  const CameraStep& camera;
+  const FrameData& cur;             ///< the current frame
+  const CameraStep& camera;         ///< the camera's motion between the two
 };
 
 /// The places where masks show an object now. The fit of its motion may start there.
@@ -35,14 +35,14 @@ struct ObservedPlaces {
 /// is known of the object and gets its motion over the last interval.
 template <typename Camera, typename Noise, typename Aligner>
 struct ObjectTracker {
-  using Workspace = ObjectWorkspace<Aligner>;
+  using Workspace = ObjectWorkspace<Aligner>;  ///< buffers of the thread that calls
 
-  const Camera& camera;
-  const Noise& noise;
-  const ObjectMotionEstimator& estimator;
-  const SelectionSettings& selection;
-  DepthSource depth_source;
-  const kernel::Kernels& kernels;
+  const Camera& camera;                    ///< of level 0
+  const Noise& noise;                      ///< of the depth
+  const ObjectMotionEstimator& estimator;  ///< finds and checks a motion
+  const SelectionSettings& selection;      ///< of an object's points
+  DepthSource depth_source;                ///< source of the depth
+  const kernel::Kernels& kernels;          ///< of the selection
 
   /// Finds T_o over the last interval, and the evidence of the reference that is most precise about the motion. The
   /// motion of a slow object is visible only against an older frame.

@@ -14,8 +14,8 @@ DOT_BEGIN_NAMESPACE
 /// The data of a frame that an object's fit uses.
 template <typename Camera>
 struct ObjectScene {
-  const Pyramid& image;
-  const Camera& camera;
+  const Pyramid& image;                     ///< of the frame
+  const Camera& camera;                     ///< of level 0
   const DepthPyramid& depth;                ///< of the frame
   ImageView<const std::uint8_t> occluders;  ///< non-zero where a nearer object was found already
 };

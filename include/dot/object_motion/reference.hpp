@@ -13,7 +13,7 @@ DOT_BEGIN_NAMESPACE
 /// An object as a past frame shows it, with the motion of camera and object since then. `now` is the newest frame that
 /// the object was followed to. While it is being followed to the current frame, that is the previous one.
 struct ObjectReference {
-  PointSet points;
+  PointSet points;                                     ///< on the object, in that frame
   Vector3<double> centroid = Vector3<double>::Zero();  ///< of the points, camera axes of that frame, metres
   Matrix3<double> inertia = Matrix3<double>::Zero();   ///< of the points about it, see MotionEstimate
   Vector3<double> anchor = Vector3<double>::Zero();    ///< centre of its mask at its median depth; zero: no depth
@@ -42,9 +42,9 @@ struct ObjectReference {
 
 /// A reference and the frame that it is aligned to.
 struct ReferencePair {
-  const ObjectReference& reference;
-  CameraSince camera;  ///< motion from the reference to that frame, `now`
-  double seconds = 0;  ///< from the reference to that frame
+  const ObjectReference& reference;  ///< the past frame's part
+  CameraSince camera;                ///< motion from the reference to that frame, `now`
+  double seconds = 0;                ///< from the reference to that frame
 };
 
 DOT_END_NAMESPACE

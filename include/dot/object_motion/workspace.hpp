@@ -15,12 +15,12 @@ DOT_BEGIN_NAMESPACE
 /// Buffers of a thread that follows objects, with its own copy of the aligner.
 template <typename Aligner>
 struct ObjectWorkspace {
-  Aligner aligner;
-  MinimaWorkspace minima;
-  std::vector<SE3d> starts;
+  Aligner aligner;                                             ///< the thread's own
+  MinimaWorkspace minima;                                      ///< of the object's cost
+  std::vector<SE3d> starts;                                    ///< motions T_o to start from
   std::vector<std::pair<double, const Observation*>> nearest;  ///< with squared distances
   ObjectReference here;                                        ///< the object as the current frame shows it
-  SelectionWorkspace selection;
+  SelectionWorkspace selection;                                ///< of the object's points
 };
 
 DOT_END_NAMESPACE

@@ -48,19 +48,20 @@ class Dot {
   static_assert(is_depth_noise_v<Noise>, "Noise must satisfy the concept in dot/camera/depth_noise.hpp");
 
  public:
-  Classifier classifier;
-  Noise depth_noise;
-  Aligner aligner;
-  CameraMotionEstimator camera_estimator;
-  ObjectMotionEstimator object_estimator;
-  Threads threads;  ///< they call the policies concurrently, each with a copy of the aligner
+  Classifier classifier;                   ///< decides whether an object moves
+  Noise depth_noise;                       ///< of the depth; the pipeline learns its scales where it is a DepthNoise
+  Aligner aligner;                         ///< aligns points to images
+  CameraMotionEstimator camera_estimator;  ///< the camera's motion
+  ObjectMotionEstimator object_estimator;  ///< the objects' motions
+  Threads threads;                         ///< they call the policies concurrently, each with a copy of the aligner
 
   /// @throws std::invalid_argument naming the option that is out of range.
   explicit Dot(const Camera& camera, const Options& options = {});
 
   /// Labels the objects of one frame. The result is valid until the next call.
   /// @throws std::invalid_argument naming the bad field of `frame`; the state is then unchanged.
-  /// @throws std::bad_alloc, or exceptions of a host's pool; all frames and objects are then forgotten, as by `reset`.
+  /// @throws std::bad_alloc if memory runs out. All frames and objects are then forgotten, as by `reset`; so they are
+  /// after an exception of a host's pool.
   const Result& track(const Frame& frame);
 
   /// Takes masks that arrive late, for an earlier frame that was given to `track` without masks. A network may take
@@ -70,12 +71,14 @@ class Dot {
   /// @param frame_id Frame::id; the newest, if several frames have it.
   /// @throws std::invalid_argument naming the bad field, or frame_id if it is none of these frames; the state is then
   /// unchanged.
-  /// @throws std::bad_alloc, or exceptions of a host's pool; all frames and objects are then forgotten, as by `reset`.
+  /// @throws std::bad_alloc if memory runs out. All frames and objects are then forgotten, as by `reset`; so they are
+  /// after an exception of a host's pool.
   void submit_masks(std::uint64_t frame_id, const Masks& masks);
 
   /// Forgets all frames and objects. Keeps the buffers and never reuses an id.
   void reset() noexcept;
 
+  /// The settings given to the constructor.
   const Options& options() const { return options_; }
 
  private:

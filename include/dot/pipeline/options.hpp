@@ -13,16 +13,16 @@ namespace dot {
 /// All settings of the pipeline, by module. The defaults suit both street scenes and rooms. Times are in seconds, so
 /// they hold at any frame rate.
 struct Options {
-  SelectionSettings selection;
-  AlignSettings align;
-  CameraSettings camera;
-  DepthNoiseSettings depth_noise;
-  ObjectSettings object;
-  MotionPriorSettings motion_prior;
+  SelectionSettings selection;                           ///< which pixels become points
+  AlignSettings align;                                   ///< the alignment of points to images
+  CameraSettings camera;                                 ///< when a camera motion is accepted
+  DepthNoiseSettings depth_noise;                        ///< the form and size of the depth's noise
+  ObjectSettings object;                                 ///< when an object's motion is accepted
+  MotionPriorSettings motion_prior;                      ///< how objects move
   ClassifierKind classifier = ClassifierKind::Velocity;  ///< for dot::Tracker; `Dot<...>` takes it as a type
-  VelocitySettings velocity;
-  EntropySettings entropy;
-  MaskSettings mask;
+  VelocitySettings velocity;                             ///< for ClassifierKind::Velocity
+  EntropySettings entropy;                               ///< for ClassifierKind::Entropy and EntropyLiteral
+  MaskSettings mask;                                     ///< association, propagation and labels
   double max_gap = 1.0;  ///< seconds; after a longer gap between frames the references are dropped
   int threads = 1;  ///< most threads that `track` uses, of OpenCV's pool or the host's; results do not depend on it
   bool discover_unknown = false;  ///< search the background for moving objects without a mask
@@ -30,7 +30,8 @@ struct Options {
 
 /// Values that a setting may have, both ends included.
 struct OptionRange {
-  double low, high;
+  double low;   ///< smallest value
+  double high;  ///< largest value
 };
 
 /// Calls `visit(name, value, range)` for each numeric setting, name as in "velocity.v0", value a reference to double,
@@ -38,7 +39,9 @@ struct OptionRange {
 /// impossible speed.
 template <typename AnyOptions, typename Visitor>
 void for_each_option_range(AnyOptions& o, Visitor&& visit) {
+/// @cond
 #define DOT_OPTION(path, low, high) visit(#path, o.path, OptionRange{low, high})
+  /// @endcond
   DOT_OPTION(selection.background_points, 1, 1e6);
   DOT_OPTION(selection.object_points, 1, 1e5);
   DOT_OPTION(selection.min_object_pixels, 0, 1e9);

@@ -19,7 +19,7 @@ namespace dot {
 
 /// The camera's motion over the last interval.
 struct CameraResult {
-  CameraStatus status = CameraStatus::FirstFrame;
+  CameraStatus status = CameraStatus::FirstFrame;                         ///< how the motion was found
   std::array<double, 12> T_cur_prev{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  ///< T_c, row-major 3x4
   std::array<double, 36> covariance{};  ///< left twist [translation; rotation], row-major, metres and radians
   double phi = 0;                       ///< Pearson correlation of reference and tracked intensities
@@ -28,23 +28,23 @@ struct CameraResult {
   double residual_sigma = 0;            ///< grey values, robust
   double reduced_chi2 = 0;              ///< of the inliers' residuals over their predicted sigma; near 1 if consistent
   int n_points = 0;                     ///< background points inside the image
-  int n_inliers = 0;
+  int n_inliers = 0;                    ///< of these, points that fit the line between intensities
 };
 
 /// One object in one frame.
 struct ObjectResult {
-  std::uint32_t id = 0;  ///< of the track, never reused
-  State state = State::NotObservable;
-  Reason reason = Reason::New;
-  bool always_dynamic = false;    ///< flagged by the caller
-  bool segmented = false;         ///< an instance of this frame's segmentation was associated
-  bool discovered = false;        ///< found by its motion (Options::discover_unknown); no instance so far
-  std::uint32_t instance_id = 0;  ///< of that instance
-  std::int32_t class_id = -1;     ///< of the last instance associated
-  float score = 0;                ///< of the last instance associated
-  std::array<int, 4> box{};       ///< x, y, width, height of its visible label pixels; zeros if there are none
-  int area = 0;                   ///< visible label pixels
-  double p_moving = 0.5;          ///< belief after this frame
+  std::uint32_t id = 0;                ///< of the track, never reused
+  State state = State::NotObservable;  ///< after this frame: Static, Moving or NotObservable
+  Reason reason = Reason::New;         ///< why there is no fit in this frame; None if there is one
+  bool always_dynamic = false;         ///< flagged by the caller
+  bool segmented = false;              ///< an instance of this frame's segmentation was associated
+  bool discovered = false;             ///< found by its motion (Options::discover_unknown); no instance so far
+  std::uint32_t instance_id = 0;       ///< of that instance
+  std::int32_t class_id = -1;          ///< of the last instance associated
+  float score = 0;                     ///< of the last instance associated
+  std::array<int, 4> box{};            ///< x, y, width, height of its visible label pixels; zeros if there are none
+  int area = 0;                        ///< visible label pixels
+  double p_moving = 0.5;               ///< belief after this frame
   State last_decided = State::NotObservable;  ///< the last state that was Static or Moving, if any
 
   // The single fit of this frame. Valid if `reason` is None.
@@ -66,15 +66,23 @@ struct ObjectResult {
   double interval = 0;  ///< seconds that the fit spans: more than the last interval if the frame before gave no
                         ///< reference or no fit; T_o is then the share of the last interval at constant velocity
   int n_points = 0;     ///< points inside the image
-  int n_inliers = 0;
+  int n_inliers = 0;    ///< of these, points that fit the line between intensities
 
   // Fused over time.
-  std::array<double, 3> fused_velocity{};  ///< m/s, this camera's axes
-  std::array<double, 9> fused_covariance{};
+  std::array<double, 3> fused_velocity{};    ///< m/s, this camera's axes
+  std::array<double, 9> fused_covariance{};  ///< (m/s)^2, row-major 3x3; zeros if there is no fused velocity
 };
 
 /// The stages of `track` whose time is measured.
-enum class Stage : std::uint8_t { Image, Camera, Masks, Objects, Label, Points, Count };
+enum class Stage : std::uint8_t {
+  Image,    ///< grey image, pyramids, inverse depth
+  Camera,   ///< the camera's motion
+  Masks,    ///< reading, predicting and associating masks
+  Objects,  ///< the objects' motions and states
+  Label,    ///< label and id images
+  Points,   ///< points of the new frame, for the next ones
+  Count     ///< number of stages
+};
 
 /// Name of a stage, lower case.
 constexpr const char* to_string(Stage stage) {
@@ -84,17 +92,17 @@ constexpr const char* to_string(Stage stage) {
 
 /// The result of `track`; its views are valid until the next call on the same tracker.
 struct Result {
-  std::uint64_t frame_id = 0;
-  double timestamp = 0;
+  std::uint64_t frame_id = 0;     ///< Frame::id
+  double timestamp = 0;           ///< Frame::timestamp
   double interval = 0;            ///< seconds since the previous frame, 0 if there is no reference
   bool too_little_depth = false;  ///< the frame has too few background points for a reference; older ones are kept
   double disparity_bias_px = 0;   ///< for stereo: RMS over the image of the learnt bias that was subtracted
-  CameraResult camera;
+  CameraResult camera;            ///< the camera's part
   ImageView<const std::uint8_t> labels;  ///< State of each pixel
   ImageView<const std::uint32_t> ids;    ///< track id of each pixel, 0 = background
   Span<ObjectResult> objects;            ///< all live tracks by id, including those without pixels
   int small_instances = 0;               ///< masks of this frame without a track that are too small to start one
-  std::array<double, static_cast<int>(Stage::Count)> stage_ms{};
+  std::array<double, static_cast<int>(Stage::Count)> stage_ms{};  ///< milliseconds that each Stage took
 
   /// The object of this id, or null.
   const ObjectResult* find(std::uint32_t id) const {

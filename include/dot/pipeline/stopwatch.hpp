@@ -9,6 +9,7 @@ namespace dot {
 /// Times the stages of a frame.
 class Stopwatch {
  public:
+  /// Begins the first stage.
   void start() { last_ = Clock::now(); }
 
   /// Milliseconds since the last call.

@@ -22,6 +22,7 @@ inline kernel::PlaneWindow plane_window(int radius, int min_inliers) {
   return {radius, radius < 7 ? 1 : radius < 16 ? 2 : radius / 8, min_inliers};
 }
 
+/// The view in the form that the kernels take.
 inline kernel::InverseDepth kernel_view(ImageView<const float> inverse_depth) {
   return {inverse_depth.data, inverse_depth.width, inverse_depth.height, inverse_depth.stride};
 }

@@ -15,26 +15,32 @@ DOT_BEGIN_NAMESPACE
 /// Points of one region of one frame: structure of arrays, all of length size(). They contain their reference
 /// intensities, so that a frame can be aligned to a past one whose images are not kept.
 struct PointSet {
-  static constexpr int kMaxLevels = 6;
+  static constexpr int kMaxLevels = 6;       ///< of the pyramid whose intensities are kept
   static constexpr float kFarthest = 1e-4f;  ///< 1/m
 
-  std::vector<float> u, v;                               ///< pixels of level 0
-  std::vector<float> x, y;                               ///< ray (x, y, 1), camera axes
+  std::vector<float> u;                                  ///< column, pixels of level 0
+  std::vector<float> v;                                  ///< row, pixels of level 0
+  std::vector<float> x;                                  ///< ray (x, y, 1), camera axes
+  std::vector<float> y;                                  ///< ray (x, y, 1), camera axes
   std::vector<float> q;                                  ///< inverse depth, 1/m
   std::vector<float> sigma_q;                            ///< 1/m
   std::array<std::vector<float>, kMaxLevels> intensity;  ///< grey value at each pyramid level
-  std::array<std::vector<float>, kMaxLevels> gu, gv;     ///< gradient there, grey values per pixel of the level
-  int levels = 0;
-  DepthBias bias;  ///< that was subtracted from q
+  std::array<std::vector<float>, kMaxLevels> gu;  ///< gradient there to the right, grey values per pixel of the level
+  std::array<std::vector<float>, kMaxLevels> gv;  ///< gradient there downwards, grey values per pixel of the level
+  int levels = 0;                                 ///< that have intensities
+  DepthBias bias;                                 ///< that was subtracted from q
 
+  /// Number of points.
   int size() const { return static_cast<int>(u.size()); }
 
+  /// Removes all points. Keeps the memory.
   void clear() {
     for (std::vector<float>* a : {&u, &v, &x, &y, &q, &sigma_q}) a->clear();
     for (auto* levels_of : {&intensity, &gu, &gv})
       for (auto& a : *levels_of) a.clear();
     bias = {};
   }
+  /// Adds a point, without its intensities.
   void push(float u_, float v_, float x_, float y_, float q_, float sigma_q_) {
     u.push_back(u_);
     v.push_back(v_);

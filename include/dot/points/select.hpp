@@ -17,12 +17,15 @@ DOT_BEGIN_NAMESPACE
 
 /// A rectangle of the image, in pixels.
 struct Box {
-  int x = 0, y = 0, width = 0, height = 0;
+  int x = 0;       ///< first column
+  int y = 0;       ///< first row
+  int width = 0;   ///< columns
+  int height = 0;  ///< rows
 };
 
 /// The region to select points from, and their number. The images have the box's size.
 struct SelectionRegion {
-  Box box;
+  Box box;                             ///< of the image
   ImageView<const std::uint8_t> mask;  ///< non-zero = the pixel may be a point; empty: all may
   ImageView<const float> surface;      ///< inverse depth that planes may use, 0 = none
   int budget = 0;                      ///< approximate number of points
@@ -34,13 +37,18 @@ struct SelectionRegion {
 
 /// Memory of the selection, kept from frame to frame.
 struct SelectionWorkspace {
-  std::vector<int> keys;  ///< of a strip's columns
-  std::vector<std::uint8_t> everywhere;
+  std::vector<int> keys;                 ///< of a strip's columns
+  std::vector<std::uint8_t> everywhere;  ///< a row of 255, for regions without a mask
   std::vector<kernel::PlaneSeed> seeds;  ///< pixels of the box
-  std::vector<PlaneFit> planes;
-  std::vector<float> values, row;
-  Image<std::uint8_t> mask, outside, outside_rows;
-  Image<float> surface, nearer, nearer_rows;
+  std::vector<PlaneFit> planes;          ///< one for each seed
+  std::vector<float> values;             ///< of an object's depths, 1/m
+  std::vector<float> row;                ///< scratch
+  Image<std::uint8_t> mask;              ///< pixels of an object's box that may be points
+  Image<std::uint8_t> outside;           ///< pixels of the box outside the object, with a rim
+  Image<std::uint8_t> outside_rows;      ///< scratch
+  Image<float> surface;                  ///< 1/m, an object's surface in its box
+  Image<float> nearer;                   ///< 1/m, nearest surface outside the object around each pixel of the box
+  Image<float> nearer_rows;              ///< scratch
 };
 
 /// Semi-dense selection, as in direct odometry. In each cell of a grid over a box it takes the admitted pixel of
@@ -53,13 +61,13 @@ template <typename Camera, typename Noise>
 struct Selector {
   static constexpr float kCorrelatedArea = 45;  ///< px
 
-  const Camera& camera;
-  const Noise& noise;
-  const Pyramid& pyramid;
-  ImageView<const float> inverse_depth;
-  const SelectionSettings& settings;
-  SelectionWorkspace& workspace;
-  const kernel::Kernels& kernels = portable_kernels();
+  const Camera& camera;                                 ///< of level 0
+  const Noise& noise;                                   ///< of the depth
+  const Pyramid& pyramid;                               ///< of the image
+  ImageView<const float> inverse_depth;                 ///< 1/m, of the image's size, 0 = none
+  const SelectionSettings& settings;                    ///< distances, gradients and window
+  SelectionWorkspace& workspace;                        ///< memory
+  const kernel::Kernels& kernels = portable_kernels();  ///< for the gradients and planes
 
   /// Appends points, in the order of the cells.
   void operator()(const SelectionRegion& region, PointSet& points) const {

@@ -31,7 +31,9 @@ auto lower_median(Iterator first, Iterator last) {
 /// Range of the majority of some values.
 template <typename Value>
 struct Spread {
-  Value low, middle, high;  ///< quantiles of .2, .5, .8
+  Value low;     ///< quantile of .2
+  Value middle;  ///< median
+  Value high;    ///< quantile of .8
 };
 
 /// Computes the spread at little more than the cost of a median. The values are reordered: those below the middle come

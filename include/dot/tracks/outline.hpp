@@ -17,11 +17,11 @@ DOT_BEGIN_NAMESPACE
 
 /// Buffers of a thread that moves outlines.
 struct OutlineWorkspace {
-  WarpWorkspace warp;
-  WarpedMask moved;  ///< on the template's level
-  Mask mask;
-  HiddenPart hidden_part;
-  TemplateWorkspace shape;
+  WarpWorkspace warp;       ///< of `warp`
+  WarpedMask moved;         ///< on the template's level
+  Mask mask;                ///< of a shape whose depth is made
+  HiddenPart hidden_part;   ///< of the mask that is taken
+  TemplateWorkspace shape;  ///< of `make_template`
 };
 
 /// An object's outline over time: its last observed mask, and where that is now. `now` is the newest frame that the

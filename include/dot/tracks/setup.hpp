@@ -14,16 +14,16 @@ DOT_BEGIN_NAMESPACE
 /// The policies and settings for tracking objects. They are borrowed.
 template <typename Camera, typename Classifier, typename Noise>
 struct TrackingSetup {
-  const Camera& camera;
-  const Classifier& classifier;
-  const Noise& noise;
-  const ObjectMotionEstimator& estimator;
-  const MaskSettings& mask;
-  const SelectionSettings& selection;
-  DepthSource depth_source;
-  const kernel::Kernels& kernels;
-  const Threads& threads;
-  bool exact_predictions;  ///< predicted outlines are needed at full resolution
+  const Camera& camera;                    ///< of level 0
+  const Classifier& classifier;            ///< decides whether an object moves
+  const Noise& noise;                      ///< of the depth
+  const ObjectMotionEstimator& estimator;  ///< finds and checks a motion
+  const MaskSettings& mask;                ///< association and propagation
+  const SelectionSettings& selection;      ///< of an object's points
+  DepthSource depth_source;                ///< source of the depth
+  const kernel::Kernels& kernels;          ///< of the selection
+  const Threads& threads;                  ///< that follow objects
+  bool exact_predictions;                  ///< predicted outlines are needed at full resolution
 };
 
 DOT_END_NAMESPACE

@@ -17,18 +17,18 @@ DOT_BEGIN_NAMESPACE
 struct Identity {
   std::uint32_t id = 0;           ///< never reused
   std::uint32_t instance_id = 0;  ///< of the last observation by a network
-  std::int32_t class_id = -1;
-  float score = 0;
-  bool discovered = false;  ///< found by its motion; no network mask so far
+  std::int32_t class_id = -1;     ///< of the last observation, -1 = unknown
+  float score = 0;                ///< of the last observation
+  bool discovered = false;        ///< found by its motion; no network mask so far
 };
 
 /// One object over time.
 struct Track {
-  Identity identity;
-  TrackedOutline outline;
-  ObjectMotion motion;
-  ObjectBelief belief;
-  Candidacy candidacy;  ///< used for discovered objects
+  Identity identity;       ///< its numbers
+  TrackedOutline outline;  ///< where it is
+  ObjectMotion motion;     ///< how it moved
+  ObjectBelief belief;     ///< whether it moves
+  Candidacy candidacy;     ///< used for discovered objects
 
   // State in the current frame.
   const Observation* observed = nullptr;  ///< the observation assigned to it
@@ -82,6 +82,7 @@ struct Track {
   /// A candidate that turned out to stand still is not followed. It is kept for a while, so that it is not found again.
   bool is_rejected_candidate() const { return candidacy.is_candidate && belief.state == State::Static; }
 
+  /// Whether labels and results show it with its pixels.
   bool is_shown() const { return outline.visible && !lost && !candidacy.is_candidate; }
 
   /// Whether no part of it is visible, but a part that an earlier mask showed may come out.

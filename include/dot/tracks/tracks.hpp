@@ -20,13 +20,13 @@ DOT_BEGIN_NAMESPACE
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 class Tracks {
  public:
-  using Setup = TrackingSetup<Camera, Classifier, Noise>;
-  using List = std::vector<Track*>;
+  using Setup = TrackingSetup<Camera, Classifier, Noise>;  ///< the policies and settings
+  using List = std::vector<Track*>;                        ///< tracks, borrowed
 
   /// Buffers of a thread.
   struct Worker {
-    ObjectWorkspace<Aligner> object;
-    OutlineWorkspace outline;
+    ObjectWorkspace<Aligner> object;  ///< of motions
+    OutlineWorkspace outline;         ///< of outlines
   };
 
   /// The tracker of one object. @param noise may differ from the setup's. All arguments are borrowed.
@@ -41,9 +41,11 @@ class Tracks {
   const List& all() {
     return that([](const Track&) { return true; });
   }
+  /// Number of tracks.
   std::size_t size() const { return tracks_.size(); }
   /// The points of a past frame on the objects that a network showed; valid until the next call, or until `remember`.
   const std::vector<const PointSet*>& points_of(double timestamp);
+  /// The buffers of each thread.
   std::vector<Worker>& workers() { return workers_; }
 
   /// Predicts the places of `tracks` in the current frame at constant velocity.

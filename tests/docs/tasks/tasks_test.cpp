@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+
+// The C++ of docs/tasks.md on the sample: what lies between "snippet:" and "end of snippet" is replaced by the page's.
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <opencv2/core.hpp>
+
+#include "dot/opencv.hpp"
+#include "support/sample.hpp"
+
+namespace {
+
+const dot::test::Sample& sample() {
+  static const dot::test::Sample read{DOT_SAMPLE_DIR};
+  return read;
+}
+
+TEST(Tasks, Exclude) {
+  dot::Tracker tracker(sample().camera, dot::test::Sample::options());
+  tracker.track(sample().frame(0));
+  const dot::Result& result = tracker.track(sample().frame(1));
+  // snippet: task_exclude
+  // end of snippet
+  const int excluded = cv::countNonZero(exclude), used = cv::countNonZero(use);
+  EXPECT_GT(excluded, 0);
+  EXPECT_LT(used, static_cast<int>(use.total()) - excluded) << "the other mask is wider";
+  EXPECT_GT(used, 0);
+}
+
+TEST(Tasks, Late) {
+  const dot::Frame frame = sample().frame(0, false), next = sample().frame(1, false), third = sample().frame(2, false);
+  const dot::Masks masks{dot::id_view(sample()[0].masks), {}};
+  dot::Tracker tracker(sample().camera, dot::test::Sample::options());
+  // snippet: task_late
+  // end of snippet
+  ASSERT_FALSE(result.objects.empty());
+  EXPECT_GT(result.objects[0].area, 0);
+}
+
+TEST(Tasks, Sparse) {
+  const dot::Intrinsics intrinsics = sample().camera;
+  dot::Frame frame = sample().frame(0);
+  cv::Mat projected(sample()[0].depth.size(), CV_32FC1, cv::Scalar(0));
+  for (int y = 2; y < projected.rows; y += 4)
+    for (int x = 2; x < projected.cols; x += 6)
+      projected.at<float>(y, x) = static_cast<float>(sample()[0].depth.at<std::uint16_t>(y, x)) / 256;
+  // snippet: task_sparse
+  // end of snippet
+  EXPECT_FALSE(tracker.track(frame).too_little_depth);
+}
+
+TEST(Tasks, Prior) {
+  dot::Tracker tracker(sample().camera, dot::test::Sample::options());
+  tracker.track(sample().frame(0));
+  dot::Frame frame = sample().frame(1);
+  // snippet: task_prior
+  // end of snippet
+  EXPECT_EQ((*frame.camera_prior)[11], -0.8);
+  EXPECT_EQ(tracker.track(frame).camera.status, dot::CameraStatus::Tracked);
+}
+
+TEST(Tasks, Why) {
+  dot::Tracker tracker(sample().camera, dot::test::Sample::options());
+  const dot::Result& result = tracker.track(sample().frame(0));
+  testing::internal::CaptureStdout();
+  // snippet: task_why
+  // end of snippet
+  EXPECT_NE(testing::internal::GetCapturedStdout().find("object 1: new, P(moving) 0."), std::string::npos);
+}
+
+}  // namespace

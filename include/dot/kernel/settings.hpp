@@ -5,7 +5,7 @@
 namespace dot {
 
 /// The machine that the kernels are for, see kernel/dispatch.hpp.
-enum class KernelVariant { Auto, Portable, Avx2, Avx512 };
+enum class KernelVariant { Auto, Portable, Avx2, Avx512, Neon };
 
 /// The source of the gradients in the derivatives of the residual.
 enum class GradientSource {

@@ -32,8 +32,8 @@ Dir::Cache "$state/cache";
 Debug::NoLocking "true";
 TXT
 export APT_CONFIG=$state/apt.conf
-apt-get -q update || fail "apt-get update failed: is there a network?"
-apt-get -q install -y --download-only "$@" || fail "the package sources of this machine lack packages for $architecture"
+apt-get -q update || echo "sysroot.sh: not all package lists could be fetched; trying with those that could" >&2
+apt-get -q install -y --download-only "$@" || fail "cannot get packages for $architecture: is there a network?"
 
 # Only what is linked and loaded: no documentation, programs or settings.
 unneeded=(./bin ./sbin ./etc ./var ./usr/bin ./usr/sbin ./usr/games ./usr/share/doc ./usr/share/man ./usr/share/locale

@@ -95,7 +95,7 @@ TEST(OddNumbers, PointsOfNoPlaceAreNotSeen) {
         for (int i = 0; i < n; ++i) {
           const bool seen = z_shift == 0 && i == n - 1;
           EXPECT_EQ(visibility[i], seen ? kernel::kSeen | kernel::kHasDepth : 0) << k->name << ": " << odd[i];
-          if (!seen) EXPECT_EQ(value[i], 0) << k->name << ": " << odd[i];
+          EXPECT_EQ(value[i] == 0, !seen) << k->name << ": " << odd[i];
         }
       }
 }

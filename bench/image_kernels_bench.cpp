@@ -48,7 +48,7 @@ struct Images {
     }
     for (int i = 0; i < kPlanes; ++i) {
       const int x = 20 + i % (kWidth - 40), y = 8 + i / (kWidth - 40) * 4;
-      seeds.push_back({x, y, 0.3f, 0.02f});
+      seeds.push_back({x, y, inverse[static_cast<std::size_t>(y * kStride + x)], 0.02f});
     }
   }
   const std::uint8_t* row(int y) const { return grey.data() + y * kStride; }

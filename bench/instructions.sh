@@ -27,7 +27,7 @@ collected() {
 # is one iteration.
 for variant in portable avx2; do
   while read -r kernel results function; do
-    n=$(collected "*kernel::$function<*" "$build/bench/dot_bench" \
+    n=$(collected "void dot::kernel::$function<*" "$build/bench/dot_bench" \
       --benchmark_filter="BM_Kernel/$variant/$kernel\$" --benchmark_min_time=0.000001)
     printf '%-40s %8.1f\n' "$variant/$kernel" "$(awk "BEGIN { print $n / $results }")"
   done <"$(dirname "$0")/kernels.txt"

@@ -34,6 +34,9 @@ usage: ./dev.sh VERB
              present commit, in out/release; the same bytes in every clone
   abi        compare the C library's binary interface with capi/abi; "abi accept" writes the present one there
   soak       10,000 trackers made and destroyed under the address sanitizer
+  cross      "cross arm64": build for AArch64 and run kernels, alignment, points, images, motion, C library and the
+             sample under QEMU, compare the sample's labels with this machine's, and count the kernels' instructions;
+             "cross armhf": likewise for 32-bit ARM, without the count
   help       this text
 
 Debian and Ubuntu packages that are missing are installed (as root, or through sudo). Elsewhere install them yourself:
@@ -335,6 +338,19 @@ soak() {
   echo "nothing found"
 }
 
+# cross MACHINE: Debian's packages for that machine go into build/sysroot-MACHINE, not into this system.
+cross() {
+  local machine=${1:-}
+  case $machine in
+    arm64) need g++-aarch64-linux-gnu ;;
+    armhf) need g++-arm-linux-gnueabihf ;;
+    *) fail "cross: arm64 or armhf" ;;
+  esac
+  need qemu-user-static python3-numpy python3-opencv
+  compile dot_run
+  tests/cross/run.sh "$machine" "$build/examples/dot_run" "$jobs" || fail "what failed is above"
+}
+
 verb=${1:-help}
 [ $# -eq 0 ] || shift
 case $verb in
@@ -351,6 +367,7 @@ case $verb in
   release) release "$@" ;;
   abi) abi "$@" ;;
   soak) soak ;;
+  cross) cross "$@" ;;
   versions) versions ;;
   help | -h | --help)
     usage

@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The dot authors
 # SPDX-License-Identifier: MIT
 #
-# Instructions, which unlike times are the same on a busy machine: of each kernel for a point, of `track` for a frame.
+# Instructions, which unlike times are the same on a busy machine: of each kernel for a result (a point, a pixel or a
+# plane), of `track` for a frame.
 #
 #     bench/instructions.sh BUILD SEQUENCE    BUILD has dot_bench and dot_run; needs valgrind, whose processor has no
 #                                             AVX-512: `track` takes the AVX2 kernels
@@ -22,13 +23,14 @@ collected() {
     2>&1 >/dev/null | sed -n 's/.*Collected : *//p'
 }
 
-points=$((640 * 480 / 20)) # of kernel_bench.cpp; so few iterations that there is one
+# kernels.txt: each benchmark of a kernel, its results (points, pixels, planes), the function. So short a time that there
+# is one iteration.
 for variant in portable avx2; do
-  for kernel in pose pose_reference_gradient pose_mean_gradient pose_gain_offset with_depth; do
-    n=$(collected '*kernel::linearize*' "$build/bench/dot_bench" \
+  while read -r kernel results function; do
+    n=$(collected "void dot::kernel::$function<*" "$build/bench/dot_bench" \
       --benchmark_filter="BM_Kernel/$variant/$kernel\$" --benchmark_min_time=0.000001)
-    printf '%-40s %8.1f a point\n' "$variant/$kernel" "$(awk "BEGIN { print $n / $points }")"
-  done
+    printf '%-40s %8.1f\n' "$variant/$kernel" "$(awk "BEGIN { print $n / $results }")"
+  done <"$(dirname "$0")/kernels.txt"
 done
 frames=$(find "$sequence/rgb" -type f | wc -l)
 n=$(collected 'dot::Tracker::track*' "$build/examples/dot_run" "$sequence" --out "$work/out")

@@ -142,6 +142,7 @@ const bool registered = [] {
   add("portable", dot::KernelVariant::Portable, nullptr);
   add("avx2", dot::KernelVariant::Avx2, dot::bench::bare_avx2);
   add("avx512", dot::KernelVariant::Avx512, dot::bench::bare_avx512);
+  add("neon", dot::KernelVariant::Neon, nullptr);
   return true;
 }();
 

@@ -12,7 +12,8 @@ namespace dot {
 
 namespace {
 
-constexpr KernelVariant variants[] = {KernelVariant::Avx512, KernelVariant::Avx2, KernelVariant::Portable};
+constexpr KernelVariant variants[] = {KernelVariant::Avx512, KernelVariant::Avx2, KernelVariant::Neon,
+                                      KernelVariant::Portable};
 
 const kernel::Kernels* available(KernelVariant variant) {
   switch (variant) {
@@ -21,6 +22,9 @@ const kernel::Kernels* available(KernelVariant variant) {
       return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") ? &kernel::avx512 : nullptr;
     case KernelVariant::Avx2:
       return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? &kernel::avx2 : nullptr;
+#endif
+#if defined(DOT_NEON_KERNELS)
+    case KernelVariant::Neon: return &kernel::neon;
 #endif
     case KernelVariant::Portable: return &portable_kernels();
     default: return nullptr;

@@ -11,5 +11,6 @@ namespace dot::kernel {
 
 extern const Kernels avx2;
 extern const Kernels avx512;
+extern const Kernels neon;
 
 }  // namespace dot::kernel

@@ -319,7 +319,8 @@ TEST(KernelDispatch, FindsByVariantAndByName) {
   const std::string before = std::getenv("DOT_KERNEL") ? std::getenv("DOT_KERNEL") : "";
   ::setenv("DOT_KERNEL", "", 1);
   const kernel::Kernels* widest = dot::find_kernels();
-  for (const KernelVariant v : {KernelVariant::Portable, KernelVariant::Avx2, KernelVariant::Avx512})
+  for (const KernelVariant v :
+       {KernelVariant::Portable, KernelVariant::Avx2, KernelVariant::Avx512, KernelVariant::Neon})
     if (const kernel::Kernels* k = dot::find_kernels(v)) {
       ::setenv("DOT_KERNEL", k->name, 1);
       EXPECT_EQ(dot::find_kernels(), k);

@@ -13,7 +13,7 @@ namespace dot::test {
 inline std::vector<const kernel::Kernels*> kernel_variants() {
   static constexpr kernel::Kernels scalar = kernel::kernels_of<ScalarLanes>("scalar");
   std::vector<const kernel::Kernels*> found{&scalar, &portable_kernels()};
-  for (const KernelVariant v : {KernelVariant::Avx2, KernelVariant::Avx512})
+  for (const KernelVariant v : {KernelVariant::Avx2, KernelVariant::Avx512, KernelVariant::Neon})
     if (const kernel::Kernels* k = find_kernels(v)) found.push_back(k);
   return found;
 }

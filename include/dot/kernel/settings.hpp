@@ -9,7 +9,8 @@ enum class KernelVariant {
   Auto,      ///< the best for the machine that the program runs on
   Portable,  ///< any machine
   Avx2,      ///< x86-64 with AVX2 and FMA
-  Avx512     ///< x86-64 with AVX-512
+  Avx512,    ///< x86-64 with AVX-512
+  Neon       ///< AArch64
 };
 
 /// The source of the gradients in the derivatives of the residual.

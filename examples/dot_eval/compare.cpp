@@ -3,6 +3,7 @@
 #include "compare.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <opencv2/imgproc.hpp>
@@ -95,8 +96,9 @@ std::vector<ObjectScore> run(const Arguments& arguments, const std::filesystem::
   runner::Sequence sequence(source);
   const std::vector<runner::RecordingEntry>& entries = sequence.recording().entries;
   for (const runner::RecordingEntry& entry : entries)
-    if (!entry.truth.camera || entry.truth.instance.empty())
-      throw runner::FileError(folder.string() + ": --compare needs a true pose and true instances of each frame");
+    if (!entry.truth.camera) throw runner::FileError(folder.string() + ": --compare needs the true pose of each frame");
+  if (std::all_of(entries.begin(), entries.end(), [](auto& entry) { return entry.truth.instance.empty(); }))
+    throw runner::FileError(folder.string() + ": --compare needs true instances");
   dot::Tracker tracker(sequence.intrinsics(), tracker_options(arguments.run, sequence.depth_source()));
   std::vector<peers::PublishedRule> rules = peers::published_rules(sequence.intrinsics());
   std::vector<ObjectScorer> scorers(1 + rules.size(), ObjectScorer(arguments.scoring));

@@ -50,7 +50,7 @@ short() {
 untimed() {
   (
     cd "$1" || exit 1
-    find . -type f ! -name timing.csv ! -name run.log ! -name complete.txt ! -name 'summary*' -exec sha256sum {} + | sort -k 2
+    find . -type f ! -name timing.csv ! -name run.log ! -name run.html ! -name complete.txt ! -name 'summary*' -exec sha256sum {} + | sort -k 2
     find . -name complete.txt -exec sed 's/^\(figures.*\) [^ ]*$/\1/' {} + | sort
     find . -name timing.csv -exec wc -l {} + | sort
     cut -d , -f 1-8,10 summary.csv

@@ -134,7 +134,7 @@ demo_network() {
 
 run_tests() {
   need python3-numpy python3-onnx python3-opencv python3-pytest python3-mypy python3-setuptools python3-wheel python3-pip \
-    python3-venv python3-yaml git
+    python3-venv python3-yaml git parallel
   compile all
   say "testing"
   ctest --test-dir "$build" --output-on-failure -j2 || fail "tests failed; what each of them printed is above"

@@ -10,6 +10,7 @@
 
 #include "sequence/errors.hpp"
 #include "sequence/fields.hpp"
+#include "sequence/sequence_names.hpp"
 #include "sequence/text.hpp"
 
 namespace eval {
@@ -32,6 +33,8 @@ docs/evaluation.md defines the figures. The exit status is 1 when a sequence fai
   --min-speed V             slower true movers count by speed alone, m/s (default 1)
   --from F                  leave out the frames before number F, the camera aside
   --hide-movers             take every second true mover out of the masks and measure how much of it is found
+  --compare                 let the rules of published systems decide the same masks, given the true camera, and
+                            measure them beside the tracker, instead of the above; see docs/evaluation.md
   --starts STEP             start a tracker at every STEP-th frame and measure its first frames, instead of the above
   --start-frames N          frames after each start (default 8)
   --drop-largest K          with --starts: leave the largest mover out of the masks of the first K frames
@@ -74,16 +77,17 @@ void check(const Arguments& a) {
   if (a.drop_largest > 0 && !starts) throw UsageError("--drop-largest needs --starts");
   if (!a.plot.empty() && a.network_delays.size() < 2)
     throw UsageError("--plot needs --network-delay with two delays or more");
-  if (!starts && !delays) return;
-  const std::string instead = starts ? "--starts" : "--network-delay";
+  if (!starts && !delays && !a.compare) return;
+  const std::string instead = starts ? "--starts" : delays ? "--network-delay" : "--compare";
   if (a.rates.size() > 1) throw UsageError(instead + " takes one rate");
   const std::pair<bool, const char*> others[] = {{!a.html.empty(), "--html"},
                                                  {!a.json.empty(), "--json"},
                                                  {!a.out.empty(), "--out"},
                                                  {starts && delays, "--network-delay"},
-                                                 {starts && a.hide_movers, "--hide-movers"},
+                                                 {(starts || delays) && a.compare, "--compare"},
+                                                 {(starts || a.compare) && a.hide_movers, "--hide-movers"},
                                                  {starts && a.scoring.from > 0, "--from"},
-                                                 {starts && a.jobs > 1, "--jobs"}};
+                                                 {(starts || a.compare) && a.jobs > 1, "--jobs"}};
   for (const auto& [given, name] : others)
     if (given) throw UsageError(std::string(name) + " cannot be combined with " + instead);
 }
@@ -99,6 +103,7 @@ Arguments parse_arguments(int count, const char* const* values) {
   runner::CommandLine line;
   add_run_options(line, a.run);
   line.flag("--hide-movers", a.hide_movers);
+  line.flag("--compare", a.compare);
   line.flag("--help", a.help);
   line.flag("-h", a.help);
   line.option("--rates", [&](auto& name, auto& value) { a.rates = parse_rates(name, value); });
@@ -117,28 +122,8 @@ Arguments parse_arguments(int count, const char* const* values) {
   line.option("--from", [&](auto& name, auto& value) { a.scoring.from = runner::whole_number(name, value, 0); });
   line.parse(count, values, [&](const std::string& argument) { a.sequences.emplace_back(argument); });
   if (!a.help) check(a);
-  a.names = sequence_names(a.sequences);
+  a.names = runner::sequence_names(a.sequences);
   return a;
-}
-
-std::vector<std::string> sequence_names(const std::vector<std::filesystem::path>& folders) {
-  std::vector<std::string> names(folders.size());
-  std::vector<std::filesystem::path> rest;
-  for (const std::filesystem::path& folder : folders) {
-    rest.push_back(std::filesystem::absolute(folder).lexically_normal());
-    if (!rest.back().has_filename()) rest.back() = rest.back().parent_path();
-  }
-  std::vector<bool> unclear(folders.size(), true);
-  while (std::find(unclear.begin(), unclear.end(), true) != unclear.end()) {
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (!unclear[i]) continue;
-      if (!rest[i].has_filename()) throw UsageError(folders[i].string() + " is given twice");
-      names[i] = rest[i].filename().string() + (names[i].empty() ? "" : "-" + names[i]);
-      rest[i] = rest[i].parent_path();
-    }
-    for (std::size_t i = 0; i < names.size(); ++i) unclear[i] = std::count(names.begin(), names.end(), names[i]) > 1;
-  }
-  return names;
 }
 
 }  // namespace eval

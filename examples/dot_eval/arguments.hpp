@@ -21,6 +21,7 @@ struct Arguments {
   std::filesystem::path json;  ///< empty: none
   int jobs = 1;
   bool hide_movers = false;
+  bool compare = false;  ///< with the rules of published systems, see compare.hpp
   int starts = 0;        ///< start a tracker at every so many frames, see starts.hpp; 0: evaluate whole sequences
   int start_frames = 8;  ///< frames after each start
   int drop_largest = 0;  ///< frames after each start in which the largest mover has no mask
@@ -36,9 +37,5 @@ std::string usage();
 
 /// @throws runner::UsageError naming the option.
 Arguments parse_arguments(int count, const char* const* values);
-
-/// Names of sequences: those of their folders, with as many of the folders above as make them differ, "Scene01-clone".
-/// @throws runner::UsageError when a folder is given twice.
-std::vector<std::string> sequence_names(const std::vector<std::filesystem::path>& folders);
 
 }  // namespace eval

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "compare.hpp"
 #include "evaluate.hpp"
 #include "html.hpp"
 #include "network_delay.hpp"
@@ -88,6 +89,11 @@ bool run(const Arguments& arguments) {
     return std::all_of(starts.begin(), starts.end(), [](const StartRun& s) { return s.error.empty(); });
   }
   if (!arguments.network_delays.empty()) return run_delays(arguments);
+  if (arguments.compare) {
+    const std::vector<Contender> contenders = compare(arguments);
+    std::printf("%s", compare_table(contenders, arguments.rates[0]).c_str());
+    return all_measured(contenders[0].runs);
+  }
   std::optional<runner::OutputFile> json, html;
   if (!arguments.json.empty()) json.emplace(arguments.json);
   if (!arguments.html.empty()) html.emplace(arguments.html);

@@ -15,6 +15,7 @@ namespace {
 
 const char* const own_usage =
     R"(usage: dot_run SEQ [--out OUT] [--player FILE] [--video FILE] [options]
+       dot_run --list FILE --out OUT [--jobs N] [--resume] [--shard I/N] [options]
 
 Labels the objects of a recorded sequence as static, moving or not observable.
 
@@ -32,6 +33,15 @@ what to write
   --player FILE             write a page, .html, to look at the run in a browser: frames, objects, why each has
                             its state; see docs/player.md
   --video FILE              write the pictures of --overlay as a video, .mp4, .mkv or .avi
+
+many sequences, see docs/datasets.md
+  --list FILE               run the sequences that the file names, a folder a line, each in a process of its own;
+                            the results go to OUT/NAME/ and a table of them to OUT/summary.csv. --masks-out,
+                            --player and --video are names within OUT/NAME/
+  --jobs N                  sequences to run side by side (default 1)
+  --resume                  leave out the sequences whose results are complete
+  --shard I/N               do the I-th of N parts of the list, as one of several machines; its table is
+                            OUT/summary-I-of-N.csv
 
 masks
   --mask-every K            use only the masks of frames 0, K, 2K, ... (default 1)
@@ -137,9 +147,39 @@ void add_network_options(CommandLine& line, Arguments& a, std::string& needs_net
   });
 }
 
+void add_data_set_options(CommandLine& line, DataSet& set) {
+  line.option("--list", [&](auto& name, auto& value) { set.list = not_empty(name, value); });
+  line.option("--jobs", [&](auto& name, auto& value) { set.jobs = whole_number(name, value, 1, 1024); });
+  line.option("--shard", [&](auto& name, auto& value) { set.shard = dataset::parse_shard(name, value); });
+  line.flag("--resume", set.resume);
+}
+
+/// Where the one sequence, or else the list of sequences comes from.
+void check_sequences(const Arguments& a) {
+  const std::filesystem::path& folder = a.run.sequence.folder;
+  if (a.data_set.list.empty()) {
+    for (const char* const option : {"--jobs", "--shard", "--resume"})
+      if (a.given.count(option) > 0) throw UsageError(std::string(option) + " needs --list");
+    if (folder.empty()) throw UsageError("no sequence folder given");
+    return;
+  }
+  if (!folder.empty()) throw UsageError("--list and a sequence: '" + folder.string() + "'");
+  if (a.output.results.out.empty()) throw UsageError("--list needs --out");
+  if (!a.run.sequence.camera.empty()) throw UsageError("--camera belongs to one sequence, and does not go with --list");
+  if (a.real_time && a.data_set.jobs > 1)
+    throw UsageError("--jobs does not go with --real-time, whose results depend on the time");
+  for (const char* const option : {"--masks-out", "--video", "--player"}) {
+    const auto given = a.given.find(option);
+    if (given == a.given.end()) continue;
+    const std::filesystem::path name = std::filesystem::path(given->second).lexically_normal();
+    if (name.is_absolute() || *name.begin() == "..")
+      throw UsageError(given->first + " is within the folder of each sequence with --list: a relative name is needed");
+  }
+}
+
 void check(Arguments& a, const std::string& needs_network) {
   SequenceOptions& sequence = a.run.sequence;
-  if (sequence.folder.empty()) throw UsageError("no sequence folder given");
+  check_sequences(a);
   check_outputs(a.output);
   if (a.mask_delay > 0 && (a.real_time || a.network_seconds))
     throw UsageError("--mask-delay does not go with --real-time or --network-delay");
@@ -173,7 +213,8 @@ Arguments parse_arguments(int count, const char* const* values) {
   line.option("--mask-delay", [&](auto& name, auto& value) { a.mask_delay = whole_number(name, value, 0); });
   std::string needs_network;
   add_network_options(line, a, needs_network);
-  line.parse(count, values, [&](const std::string& argument) {
+  add_data_set_options(line, a.data_set);
+  a.given = line.parse(count, values, [&](const std::string& argument) {
     std::filesystem::path& folder = a.run.sequence.folder;
     if (!folder.empty()) throw UsageError("more than one sequence: '" + folder.string() + "' and '" + argument + "'");
     folder = argument;

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
 
+#include "dataset/sequence_list.hpp"
 #include "network/network.hpp"
 #include "run/run_options.hpp"
 #include "run/writer.hpp"
@@ -18,6 +21,14 @@ struct OutputPaths {
   std::filesystem::path player;  ///< page to look at the run
 };
 
+/// Many sequences instead of one.
+struct DataSet {
+  std::filesystem::path list;  ///< empty: one sequence
+  dataset::Shard shard;
+  int jobs = 1;         ///< sequences side by side
+  bool resume = false;  ///< complete ones are not done again
+};
+
 struct Arguments {
   RunOptions run;
   OutputPaths output;
@@ -26,6 +37,8 @@ struct Arguments {
   std::optional<double> network_seconds;  ///< that a network takes at least
   bool real_time = false;
   std::optional<double> fps;  ///< of the frames in real time; absent: by their timestamps
+  DataSet data_set;
+  std::map<std::string, std::string> given;  ///< the options as they stand on the command line
   bool help = false;
 };
 

@@ -10,6 +10,8 @@
 #include <opencv2/core/utils/logger.hpp>
 
 #include "arguments.hpp"
+#include "data_set.hpp"
+#include "player/video_reader.hpp"
 #include "run.hpp"
 #include "sequence/errors.hpp"
 
@@ -31,15 +33,16 @@ int main(int argc, char** argv) {
   // Errors are told once, in one line, with the file's name.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   try {
-    const Arguments arguments = parse_arguments(argc, argv);
+    Arguments arguments = parse_arguments(argc, argv);
+    arguments.run.sequence.open_video = player::open_video;
     if (arguments.help) {
       std::printf("%s", usage().c_str());
       return 0;
     }
     std::signal(SIGINT, interrupt);
     std::signal(SIGTERM, interrupt);
-    constexpr int status_of_interrupted = 130;  // as shells have it
-    return run(arguments, interrupted) ? 0 : status_of_interrupted;
+    if (!arguments.data_set.list.empty()) return run_data_set(arguments, interrupted);
+    return run(arguments, interrupted).complete ? 0 : status_of_interrupted;
   } catch (const UsageError& error) {
     std::fprintf(stderr, "dot_run: %s (dot_run --help lists the options)\n", error.what());
     return 2;

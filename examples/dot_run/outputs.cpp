@@ -34,7 +34,7 @@ void Outputs::add(const SequenceFrame& frame, const dot::Result& result, double 
   progress_->show(++done_, result, total_ms);
 }
 
-void Outputs::finish(bool complete, const std::string& remarks) {
+dataset::Figures Outputs::finish(bool complete, const std::string& remarks) {
   progress_.reset();
   OutputPaths written = paths_;
   if (complete) {
@@ -47,6 +47,7 @@ void Outputs::finish(bool complete, const std::string& remarks) {
   }
   if (done_ > 0) summary_.print(written, remarks);
   if (!complete) std::fprintf(stderr, "dot_run: interrupted after %d frames\n", done_);
+  return summary_.figures();
 }
 
 }  // namespace runner

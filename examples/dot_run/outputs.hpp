@@ -35,7 +35,7 @@ class Outputs {
   /// is neither page nor video.
   /// @param remarks further lines for the summary.
   /// @throws FileError when a file cannot be written.
-  void finish(bool complete, const std::string& remarks);
+  dataset::Figures finish(bool complete, const std::string& remarks);
 
  private:
   OutputPaths paths_;

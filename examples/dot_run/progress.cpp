@@ -87,33 +87,44 @@ void Summary::print_masks() const {
                 source_.mask_every, 2 * source_.mask_every);
 }
 
-void Summary::print(const OutputPaths& output, const std::string& remarks) const {
-  const auto count_objects = [&](dot::State state) {
-    return std::count_if(last_decided_.begin(), last_decided_.end(),
-                         [&](auto& entry) { return entry.second == state; });
-  };
-  const long moving = count_objects(dot::State::Moving);
-  const long standing = count_objects(dot::State::Static);
-  const long undecided = static_cast<long>(last_decided_.size()) - moving - standing;
+std::vector<double> Summary::steady_ms() const {
+  // The first frame takes the buffers and has nothing to compare with.
+  return {total_ms_.begin() + (total_ms_.size() > 1 ? 1 : 0), total_ms_.end()};
+}
 
-  std::printf("frames    %zu", total_ms_.size());
-  if (camera_lost_ > 0) std::printf(", camera motion not found in %d", camera_lost_);
+dataset::Figures Summary::figures() const {
+  const auto count_objects = [&](dot::State state) {
+    return static_cast<int>(
+        std::count_if(last_decided_.begin(), last_decided_.end(), [&](auto& entry) { return entry.second == state; }));
+  };
+  dataset::Figures f;
+  f.frames = static_cast<int>(total_ms_.size());
+  f.moving = count_objects(dot::State::Moving);
+  f.standing = count_objects(dot::State::Static);
+  f.undecided = static_cast<int>(last_decided_.size()) - f.moving - f.standing;
+  f.camera_lost = camera_lost_;
+  const std::vector<double> ms = steady_ms();
+  if (!ms.empty()) f.ms_per_frame = std::accumulate(ms.begin(), ms.end(), 0.0) / static_cast<double>(ms.size());
+  return f;
+}
+
+void Summary::print(const OutputPaths& output, const std::string& remarks) const {
+  const dataset::Figures f = figures();
+  std::printf("frames    %d", f.frames);
+  if (f.camera_lost > 0) std::printf(", camera motion not found in %d", f.camera_lost);
   std::printf("\n");
   print_masks();
   std::printf("%s", remarks.c_str());
-  std::printf("objects   %zu: %ld moving, %ld static, %ld never decided (as last decided)\n", last_decided_.size(),
-              moving, standing, undecided);
+  std::printf("objects   %zu: %d moving, %d static, %d never decided (as last decided)\n", last_decided_.size(),
+              f.moving, f.standing, f.undecided);
   if (disparity_bias_px_ >= 0.05)
     std::printf("depth     disparities off by %.2f px (RMS over the image, as learnt); corrected\n",
                 disparity_bias_px_);
-  if (total_ms_.size() > 1) {
-    // The first frame takes the buffers and has nothing to compare with.
-    const std::vector<double> ms(total_ms_.begin() + 1, total_ms_.end());
-    std::printf("time      %.1f ms a frame, median %.1f (tracking alone, without the first frame)\n",
-                std::accumulate(ms.begin(), ms.end(), 0.0) / static_cast<double>(ms.size()), percentile(ms, 50));
-  } else {
-    std::printf("time      %.1f ms (first frame)\n", total_ms_.front());
-  }
+  if (f.frames > 1)
+    std::printf("time      %.1f ms a frame, median %.1f (tracking alone, without the first frame)\n", f.ms_per_frame,
+                percentile(steady_ms(), 50));
+  else
+    std::printf("time      %.1f ms (first frame)\n", f.ms_per_frame);
 
   print_files(output);
 }

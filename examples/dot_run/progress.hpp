@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "dataset/record.hpp"
 #include "dot/pipeline/result.hpp"
 #include "sequence/sequence.hpp"
 
@@ -36,6 +37,8 @@ class Summary {
 
   void add(const SequenceFrame& frame, const dot::Result& result, double total_ms);
 
+  dataset::Figures figures() const;
+
   /// Prints frames, how many of them had masks, objects by state, what was wrong with the depth, times and where the
   /// outputs lie.
   /// @param remarks further lines, after those of the masks.
@@ -43,6 +46,7 @@ class Summary {
 
  private:
   void print_masks() const;
+  std::vector<double> steady_ms() const;
 
   SequenceOptions source_;
   int segmented_ = 0;                                 ///< frames

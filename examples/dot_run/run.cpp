@@ -96,7 +96,7 @@ std::string run_in_real_time(const Arguments& arguments, const real_time::LateNe
 
 }  // namespace
 
-bool run(const Arguments& arguments, std::atomic<bool>& stop) {
+RunEnd run(const Arguments& arguments, std::atomic<bool>& stop) {
   const SequenceOptions& source = arguments.run.sequence;
   Sequence sequence(source);
   const dot::Intrinsics& camera = sequence.intrinsics();
@@ -120,8 +120,7 @@ bool run(const Arguments& arguments, std::atomic<bool>& stop) {
   else
     remarks = run_in_order(arguments, network, sequence, tracker, stop, outputs);
   const bool complete = !stop;
-  outputs.finish(complete, remarks);
-  return complete;
+  return {complete, outputs.finish(complete, remarks)};
 }
 
 }  // namespace runner

@@ -12,26 +12,36 @@ namespace runner {
 
 void CommandLine::flag(const std::string& name, bool& value) { flags_[name] = &value; }
 
-void CommandLine::parse(int count, const char* const* values,
-                        const std::function<void(const std::string&)>& positional) const {
+std::map<std::string, std::string> CommandLine::parse(int count, const char* const* values,
+                                                      const std::function<void(const std::string&)>& positional) const {
+  std::map<std::string, std::string> given;
+  const auto set = [&](const Setter& setter, const std::string& name, const std::string& value) {
+    setter(name, value);
+    given[name] = value;
+  };
   for (int i = 1; i < count; ++i) {
     const std::string argument = values[i];
     const std::size_t equals = argument.rfind("--", 0) == 0 ? argument.find('=') : std::string::npos;
     const std::string name = argument.substr(0, equals);
     if (const auto flag = flags_.find(argument); flag != flags_.end()) {
       *flag->second = true;
+      given[argument] = "";
     } else if (const auto option = options_.find(name); option != options_.end()) {
       if (equals == std::string::npos && i + 1 == count) throw UsageError(name + " needs a value");
-      option->second(name, equals == std::string::npos ? values[++i] : argument.substr(equals + 1));
+      set(option->second, name, equals == std::string::npos ? values[++i] : argument.substr(equals + 1));
     } else if (const auto optional = optional_.find(name); optional != optional_.end()) {
       const bool follows = equals == std::string::npos && i + 1 < count && parse_number(values[i + 1]);
-      optional->second(name, equals != std::string::npos ? argument.substr(equals + 1) : follows ? values[++i] : "");
+      set(optional->second, name,
+          equals != std::string::npos ? argument.substr(equals + 1)
+          : follows                   ? values[++i]
+                                      : "");
     } else if (argument.rfind('-', 0) == 0) {
       throw UsageError("unknown option '" + argument + "'");
     } else {
       positional(argument);
     }
   }
+  return given;
 }
 
 int whole_number(const std::string& option, const std::string& value, int least, int most) {

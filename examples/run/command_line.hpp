@@ -20,8 +20,10 @@ class CommandLine {
   void optional_number(const std::string& name, Setter setter) { optional_[name] = std::move(setter); }
 
   /// @param positional called with each argument that is no option.
+  /// @return the options that were given, with their last value; flags with none.
   /// @throws UsageError naming the option that is unknown or lacks its value; what the setters throw.
-  void parse(int count, const char* const* values, const std::function<void(const std::string&)>& positional) const;
+  std::map<std::string, std::string> parse(int count, const char* const* values,
+                                           const std::function<void(const std::string&)>& positional) const;
 
  private:
   std::map<std::string, bool*> flags_;

@@ -7,13 +7,21 @@
 #include "config.hpp"
 #include "dot/pipeline/validate_options.hpp"
 #include "sequence/errors.hpp"
+#include "sequence/fields.hpp"
 #include "sequence/text.hpp"
 
 namespace runner {
 
 const char* const run_options_usage =
-    R"(  --depth-dir NAME          folder of the depth images in SEQ (default depth)
-  --mask-dir NAME           folder of the masks in SEQ (default masks)
+    R"(  --images NAME             SEQ holds images of any names: a folder, a pattern like left/%04d.png, or a video.
+                            --depth-dir or --right then name the depth or the second eye in the same manner; see
+                            docs/recordings.md
+  --right NAME              with --images: the second eye of a rectified stereo pair
+  --intrinsics FILE         with --images: the camera's file in SEQ, .txt, or .json as Open3D writes it (default
+                            intrinsics.txt)
+  --depth-dir NAME          folder of the depth images in SEQ (default depth)
+  --depth-scale UNITS       units of the depth images to the metre, as 1000 for millimetres (default by the layout)
+  --mask-dir NAME           folder of the masks in SEQ, or a file .json in COCO's format (default masks)
   --stereo                  compute the depth from the stereo pair (default where there are no depth images)
   --camera FILE             camera-to-world poses, KITTI format, to use instead of estimating the motion
   --config FILE             settings, `name = value` a line
@@ -28,6 +36,17 @@ namespace {
 
 constexpr int most_threads = 256;  // as dot::validate has it
 
+double depth_scale(const std::string& option, const std::string& value) {
+  constexpr double most = 1e6;
+  const std::optional<double> scale = parse_number(value);
+  if (scale && *scale > 0 && *scale < 1)
+    throw UsageError(option + " is the number of units to the metre: of units of " + value + " m these are " +
+                     format("%.6g", 1 / *scale));
+  if (!scale || !(*scale >= 1 && *scale <= most))
+    throw UsageError(option + " needs a number from 1 to 1000000, not '" + value + "'");
+  return *scale;
+}
+
 }  // namespace
 
 void add_run_options(CommandLine& line, RunOptions& options) {
@@ -36,6 +55,10 @@ void add_run_options(CommandLine& line, RunOptions& options) {
   line.flag("--discover", options.discover);
   line.option("--depth-dir", [&](auto& name, auto& value) { sequence.depth_dir = not_empty(name, value); });
   line.option("--mask-dir", [&](auto& name, auto& value) { sequence.mask_dir = not_empty(name, value); });
+  line.option("--images", [&](auto& name, auto& value) { sequence.images = not_empty(name, value); });
+  line.option("--right", [&](auto& name, auto& value) { sequence.right = not_empty(name, value); });
+  line.option("--intrinsics", [&](auto& name, auto& value) { sequence.intrinsics = not_empty(name, value); });
+  line.option("--depth-scale", [&](auto& name, auto& value) { sequence.depth_scale = depth_scale(name, value); });
   line.option("--camera", [&](auto& name, auto& value) { sequence.camera = not_empty(name, value); });
   line.option("--always-dynamic",
               [&](auto& name, auto& value) { sequence.always_dynamic = split(not_empty(name, value), ','); });

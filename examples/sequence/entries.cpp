@@ -26,6 +26,18 @@ std::optional<int> frame_number(const std::string& stem, const std::string& pref
   return std::stoi(significant);
 }
 
+void list_coco(const fs::path& path, std::vector<RecordingEntry>& entries) {
+  const auto coco = std::make_shared<const CocoMasks>(path);
+  bool any = false;
+  for (RecordingEntry& entry : entries) {
+    if (!coco->has(image_name(entry))) continue;
+    any = true;
+    entry.masks = path;
+    entry.coco = coco;
+  }
+  if (!any) throw FileError(path.string() + ": has no image of these frames, such as " + image_name(entries[0]));
+}
+
 }  // namespace
 
 bool is_there(const fs::path& path) {
@@ -64,8 +76,12 @@ std::vector<RecordingEntry> list_images(const fs::path& folder, const std::strin
   return entries;
 }
 
+std::string image_name(const RecordingEntry& entry) {
+  return is_video(entry.image) ? frame_name(entry.number) : entry.image.filename().string();
+}
+
 fs::path same_frame(const fs::path& folder, const RecordingEntry& entry) {
-  const std::string stem = entry.image.stem().string();
+  const std::string stem = fs::path(image_name(entry)).stem().string();
   const std::string six_digits = frame_name(entry.number, "");
   for (const std::string& name : {stem + ".png", stem + ".jpg", six_digits + ".png", six_digits + ".jpg"})
     if (is_there(folder / name)) return folder / name;
@@ -99,6 +115,10 @@ bool list_masks(const SequenceOptions& options, std::vector<RecordingEntry>& ent
     if (options.mask_dir != SequenceOptions{}.mask_dir) throw FileError(folder.string() + ": no such folder");
     return false;
   }
+  if (folder.extension() == ".json" && !fs::is_directory(folder)) {
+    list_coco(folder, entries);
+    return true;
+  }
   list_files(folder);  // one that cannot be read is no reason to go without masks
   bool any = false;
   for (RecordingEntry& entry : entries) {
@@ -110,8 +130,8 @@ bool list_masks(const SequenceOptions& options, std::vector<RecordingEntry>& ent
     if (is_there(list)) entry.instances = list;
   }
   if (!any)
-    throw FileError(folder.string() + ": holds no masks of these frames, such as " + entries[0].image.stem().string() +
-                    ".png");
+    throw FileError(folder.string() + ": holds no masks of these frames, such as " +
+                    fs::path(image_name(entries[0])).stem().string() + ".png");
   return true;
 }
 

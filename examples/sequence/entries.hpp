@@ -27,6 +27,9 @@ std::vector<std::filesystem::path> list_files(const std::filesystem::path& folde
 /// @throws FileError when there are none, or two of one number.
 std::vector<RecordingEntry> list_images(const std::filesystem::path& folder, const std::string& prefix = "");
 
+/// Name of a frame's image, that of its number where it is in a video.
+std::string image_name(const RecordingEntry& entry);
+
 /// The file of `folder` that belongs to the same frame: named as its image, or by the number in six digits.
 std::filesystem::path same_frame(const std::filesystem::path& folder, const RecordingEntry& entry);
 
@@ -41,7 +44,7 @@ void set_times(const std::filesystem::path& path, const std::vector<Row>& rows, 
 /// Camera-to-world poses, 3x4 row-major, as the truth.
 void read_poses(const std::filesystem::path& path, std::vector<RecordingEntry>& entries);
 
-/// Masks of the folder that the options name; frames without a file have none.
+/// Masks of the folder or file that the options name; frames without a file have none.
 /// @return whether there is such a folder.
 /// @throws FileError when a folder is missing that the user has named, cannot be read or has no mask of any frame.
 bool list_masks(const SequenceOptions& options, std::vector<RecordingEntry>& entries);

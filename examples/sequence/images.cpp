@@ -78,12 +78,6 @@ cv::Mat decode(const std::filesystem::path& path, const std::vector<std::uint8_t
   return image;
 }
 
-void check_size(const std::filesystem::path& path, const cv::Mat& image, cv::Size size) {
-  if (image.size() != size)
-    throw FileError(path.string() + ": is " + std::to_string(image.cols) + "x" + std::to_string(image.rows) +
-                    ", the camera is " + std::to_string(size.width) + "x" + std::to_string(size.height));
-}
-
 bool has_palette(const std::vector<std::uint8_t>& bytes) {
   constexpr int palette = 3;
   return bytes.size() > png_chunks && starts_with(bytes, png_marker) && bytes[png_colour_type] == palette;
@@ -120,6 +114,12 @@ std::vector<std::uint8_t> without_palette(const std::vector<std::uint8_t>& png) 
 }
 
 }  // namespace
+
+void check_size(const std::filesystem::path& path, const cv::Mat& image, cv::Size size) {
+  if (image.size() != size)
+    throw FileError(path.string() + ": is " + std::to_string(image.cols) + "x" + std::to_string(image.rows) +
+                    ", the camera is " + std::to_string(size.width) + "x" + std::to_string(size.height));
+}
 
 cv::Mat read_image(const std::filesystem::path& path) { return decode(path, read_bytes(path)); }
 

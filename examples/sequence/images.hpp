@@ -14,6 +14,9 @@ cv::Mat read_image(const std::filesystem::path& path);
 /// Like read_image, and checks the size.
 cv::Mat read_image(const std::filesystem::path& path, cv::Size size);
 
+/// @throws FileError naming the file when its image is not of the camera's size.
+void check_size(const std::filesystem::path& path, const cv::Mat& image, cv::Size size);
+
 /// Like read_image, but of a PNG file with a palette the indices themselves, CV_8UC1, whatever their colours.
 cv::Mat read_indices(const std::filesystem::path& path, cv::Size size);
 

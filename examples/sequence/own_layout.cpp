@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "depth_source.hpp"
 #include "entries.hpp"
 #include "images.hpp"
+#include "intrinsics_file.hpp"
 #include "plausible.hpp"
 #include "text.hpp"
 
@@ -20,46 +18,6 @@ namespace runner {
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Camera {
-  dot::Intrinsics intrinsics;
-  double fps = 0;
-  std::optional<dot::DepthSource> stated_source;
-};
-
-Camera read_intrinsics(const fs::path& path) {
-  const char* const names[] = {"fx", "fy", "cx", "cy", "width", "height", "baseline", "fps"};
-  constexpr int largest_side = 65535;
-  const std::vector<std::string> lines = read_lines(path);
-  const std::vector<std::string> fields = words(lines.empty() ? "" : lines[0]);
-  Place place{path, 1};
-  double values[std::size(names)] = {};
-  for (std::size_t i = 0; i < std::size(names); ++i) {
-    if (i >= fields.size()) fail(place, std::string(names[i]) + " is missing");
-    values[i] = to_number(place, names[i], fields[i]);
-  }
-  if (fields.size() > std::size(names)) fail(place, "has more than eight numbers");
-  Camera camera;
-  camera.intrinsics = {values[0],
-                       values[1],
-                       values[2],
-                       values[3],
-                       to_whole(place, "width", values[4], 1, largest_side),
-                       to_whole(place, "height", values[5], 1, largest_side),
-                       values[6]};
-  check_intrinsics(place, camera.intrinsics);
-  camera.fps = in_range(place, "fps", values[7], frame_rates);
-
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    ++place.line;
-    const std::vector<std::string> line = words(lines[i]);
-    if (line.empty()) continue;
-    if (camera.stated_source) fail(place, "nothing may follow the line of the depth");
-    if (line.size() == 2 && line[0] == "depth") camera.stated_source = depth_source_by_name(line[1]);
-    if (!camera.stated_source) fail(place, "must be 'depth stereo', 'depth rgbd', 'depth lidar' or 'depth unknown'");
-  }
-  return camera;
-}
 
 // --- Truth -----------------------------------------------------------------------------------------------------------
 
@@ -127,8 +85,9 @@ void read_truth(const fs::path& folder, std::vector<RecordingEntry>& entries) {
 Recording read_own_layout(const SequenceOptions& options) {
   Recording recording;
   recording.layout = "own layout";
-  const Camera camera = read_intrinsics(options.folder / "intrinsics.txt");
+  const CameraFile camera = read_camera_file(options.folder / "intrinsics.txt");
   recording.intrinsics = camera.intrinsics;
+  recording.distortion = camera.distortion;
   recording.entries = list_images(options.folder / "rgb");
   // Before anybody takes memory for images of the size that is claimed.
   read_image(recording.entries[0].image, {camera.intrinsics.width, camera.intrinsics.height});

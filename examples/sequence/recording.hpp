@@ -6,12 +6,16 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "coco_masks.hpp"
+#include "distortion.hpp"
 #include "dot/camera/intrinsics.hpp"
 #include "dot/camera/settings.hpp"
+#include "video_input.hpp"
 
 /// @file
 /// What a recording on disk consists of, images not yet read. Each layout of folders is one function that fills in a
@@ -23,8 +27,13 @@ namespace runner {
 struct SequenceOptions {
   std::filesystem::path folder;
   std::string depth_dir = "depth";          ///< folder of the depth images
-  std::string mask_dir = "masks";           ///< folder of the masks
+  std::string mask_dir = "masks";           ///< folder of the masks, or a file .json in COCO's format
   bool stereo = false;                      ///< depth from the stereo pair even where there are depth images
+  std::filesystem::path images;             ///< folder, pattern or video in `folder`; empty: a layout that is known
+  std::filesystem::path right;              ///< with `images`: those of the second eye
+  std::filesystem::path intrinsics;         ///< with `images`: file of the camera; empty: intrinsics.txt
+  std::optional<double> depth_scale;        ///< units of the depth images to the metre, instead of the layout's
+  OpenVideo open_video;                     ///< empty: videos are refused
   int mask_every = 1;                       ///< use the masks of frames 0, K, 2K, ... only
   bool masks = true;                        ///< read the masks; off where a network makes them
   std::filesystem::path camera;             ///< camera-to-world poses to use instead of estimating the motion
@@ -53,10 +62,12 @@ struct RecordingEntry {
   int number = 0;  ///< unique: names the frame in messages and outputs
   double timestamp = 0;
   std::filesystem::path image;
-  std::filesystem::path depth;      ///< 16 bit
-  std::filesystem::path right;      ///< of the rectified stereo pair
-  std::filesystem::path masks;      ///< image of ids, grey or palette; empty: no segmentation of this frame
-  std::filesystem::path instances;  ///< list of id,class,score; may be empty
+  std::filesystem::path depth;            ///< 16 bit
+  int video_frame = 0;                    ///< place in those of image, depth and right that are videos
+  std::filesystem::path right;            ///< of the rectified stereo pair
+  std::filesystem::path masks;            ///< image of ids, grey or palette; empty: no segmentation of this frame
+  std::filesystem::path instances;        ///< list of id,class,score; may be empty
+  std::shared_ptr<const CocoMasks> coco;  ///< that has the masks instead of an image of ids
   TruthEntry truth;
 };
 
@@ -65,6 +76,8 @@ struct Recording {
   dot::Intrinsics intrinsics;
   dot::DepthSource depth_source = dot::DepthSource::Unknown;
   double depth_units_per_metre = 256;
+  std::optional<Distortion> distortion;  ///< of the images; depth, masks and truth belong to them pixel by pixel
+  std::map<std::filesystem::path, std::shared_ptr<VideoInput>> videos;
   std::vector<RecordingEntry> entries;  ///< at least one, by increasing time
 };
 

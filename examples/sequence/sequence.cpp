@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "dot/image/opencv.hpp"
 #include "dot/lie/se3.hpp"
+#include "entries.hpp"
 #include "errors.hpp"
 #include "images.hpp"
 #include "instance_list.hpp"
@@ -32,19 +34,6 @@ dot::CameraMotion camera_motion(const dot::SE3d& T_world_prev, const dot::SE3d& 
   return motion;
 }
 
-cv::Mat read_colour(const fs::path& path, cv::Size size) {
-  cv::Mat image = read_image(path, size);
-  if (image.depth() != CV_8U || image.channels() == 2)
-    throw FileError(path.string() + ": must be 8-bit grey or colour");
-  return image;
-}
-
-cv::Mat read_depth(const fs::path& path, cv::Size size) {
-  cv::Mat depth = read_image(path, size);
-  if (depth.type() != CV_16UC1) throw FileError(path.string() + ": must be a 16-bit grey image");
-  return depth;
-}
-
 }  // namespace
 
 dot::Frame SequenceFrame::frame() const {
@@ -67,6 +56,39 @@ Sequence::Sequence(const SequenceOptions& options)
     for (RecordingEntry& entry : recording_.entries) entry.masks.clear();
   if (!options.camera.empty()) read_camera(options.camera);
   if (!recording_.entries[0].right.empty()) stereo_.emplace(recording_.intrinsics);
+  if (!recording_.distortion) return;
+  if (stereo_)
+    throw FileError(options.folder.string() +
+                    ": depth from a stereo pair needs images without distortion: rectify them");
+  undistorter_.emplace(recording_.intrinsics, *recording_.distortion);
+}
+
+cv::Mat Sequence::read_frame(const fs::path& path, const RecordingEntry& entry) const {
+  const auto video = recording_.videos.find(path);
+  if (video == recording_.videos.end()) return read_image(path, image_size());
+  cv::Mat image = video->second->read(entry.video_frame);
+  check_size(path, image, image_size());
+  return image;
+}
+
+cv::Mat Sequence::read_colour(const fs::path& path, const RecordingEntry& entry) const {
+  cv::Mat image = read_frame(path, entry);
+  if (image.depth() != CV_8U || image.channels() == 2)
+    throw FileError(path.string() + ": must be 8-bit grey or colour");
+  return undistorter_ ? undistorter_->image(image) : image;
+}
+
+cv::Mat Sequence::read_depth(const fs::path& path, const RecordingEntry& entry) const {
+  const cv::Mat depth = read_frame(path, entry);
+  if (depth.type() != CV_16UC1 && recording_.videos.count(path) > 0)
+    throw FileError(path.string() + ": does not come as 16-bit grey; make images of it: ffmpeg -i " +
+                    path.filename().string() + " -pix_fmt gray16be depth/%06d.png");
+  if (depth.type() != CV_16UC1) throw FileError(path.string() + ": must be a 16-bit grey image");
+  return undistorted(depth);
+}
+
+cv::Mat Sequence::undistorted(const cv::Mat& labels) const {
+  return undistorter_ ? undistorter_->labels(labels) : labels;
 }
 
 void Sequence::read_camera(const fs::path& path) {
@@ -89,11 +111,17 @@ SequenceFrame Sequence::read(int index) {
   frame.timestamp = entry.timestamp;
   frame.camera_motion = camera_motions_[i];
   frame.depth_units_per_metre = recording_.depth_units_per_metre;
-  frame.image = read_colour(entry.image, image_size());
-  frame.depth = stereo_ ? stereo_->compute(frame.image, read_colour(entry.right, image_size()))
-                        : read_depth(entry.depth, image_size());
+  frame.image = read_colour(entry.image, entry);
+  frame.depth =
+      stereo_ ? stereo_->compute(frame.image, read_colour(entry.right, entry)) : read_depth(entry.depth, entry);
   frame.masks_wanted = index % mask_every_ == 0;
   if (!frame.masks_wanted || entry.masks.empty()) return frame;
+  if (entry.coco) {
+    Segmentation masks = entry.coco->read(image_name(entry), image_size(), always_dynamic_);
+    frame.ids = undistorted(masks.ids);
+    frame.instances = std::move(masks.instances);
+    return frame;
+  }
   frame.ids = read_ids(entry.masks);
   if (!entry.instances.empty()) frame.instances = read_instances(entry.instances, always_dynamic_);
   return frame;
@@ -103,21 +131,22 @@ cv::Mat Sequence::read_ids(const fs::path& path) const {
   cv::Mat ids = read_indices(path, image_size());
   if (ids.type() != CV_8UC1 && ids.type() != CV_16UC1)
     throw FileError(path.string() + ": must be an 8-bit or 16-bit grey image of ids");
-  return ids;
+  return undistorted(ids);
 }
 
-cv::Mat Sequence::read_metres(const fs::path& path) const {
+cv::Mat Sequence::read_metres(const fs::path& path, const RecordingEntry& entry) const {
   cv::Mat metres;
-  if (!path.empty()) read_depth(path, image_size()).convertTo(metres, CV_32F, 1 / recording_.depth_units_per_metre);
+  if (!path.empty()) read_depth(path, entry).convertTo(metres, CV_32F, 1 / recording_.depth_units_per_metre);
   return metres;
 }
 
 FrameTruth Sequence::truth(int index) const {
-  const TruthEntry& entry = recording_.entries[static_cast<std::size_t>(index)].truth;
+  const RecordingEntry& recorded = recording_.entries[static_cast<std::size_t>(index)];
+  const TruthEntry& entry = recorded.truth;
   FrameTruth truth;
   if (!entry.instance.empty()) read_ids(entry.instance).convertTo(truth.instance, CV_32S);
-  truth.depth = read_metres(entry.depth);
-  truth.measured = entry.measured == entry.depth ? truth.depth : read_metres(entry.measured);
+  truth.depth = read_metres(entry.depth, recorded);
+  truth.measured = entry.measured == entry.depth ? truth.depth : read_metres(entry.measured, recorded);
   return truth;
 }
 

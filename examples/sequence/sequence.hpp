@@ -59,8 +59,12 @@ class Sequence {
 
  private:
   void read_camera(const std::filesystem::path& path);
+  cv::Mat read_frame(const std::filesystem::path& path, const RecordingEntry& entry) const;
+  cv::Mat read_colour(const std::filesystem::path& path, const RecordingEntry& entry) const;
+  cv::Mat read_depth(const std::filesystem::path& path, const RecordingEntry& entry) const;
+  cv::Mat undistorted(const cv::Mat& labels) const;
   cv::Mat read_ids(const std::filesystem::path& path) const;
-  cv::Mat read_metres(const std::filesystem::path& path) const;
+  cv::Mat read_metres(const std::filesystem::path& path, const RecordingEntry& entry) const;
   cv::Size image_size() const { return {recording_.intrinsics.width, recording_.intrinsics.height}; }
 
   Recording recording_;
@@ -68,6 +72,7 @@ class Sequence {
   int mask_every_ = 1;
   std::vector<std::optional<dot::CameraMotion>> camera_motions_;
   std::optional<StereoDepth> stereo_;
+  std::optional<Undistorter> undistorter_;
 };
 
 }  // namespace runner

@@ -9,22 +9,6 @@
 namespace eval {
 namespace {
 
-using Names = std::vector<std::string>;
-
-TEST(SequenceNames, AreThoseOfTheFolders) {
-  EXPECT_EQ(sequence_names({"/data/a", "/data/b/", "/data/c/."}), (Names{"a", "b", "c"}));
-}
-
-TEST(SequenceNames, FoldersOfOneNameAreToldApartByThoseAbove) {
-  EXPECT_EQ(sequence_names({"/data/Scene01/clone", "/data/Scene02/clone", "/data/Scene02/rain"}),
-            (Names{"Scene01-clone", "Scene02-clone", "rain"}));
-  EXPECT_EQ(sequence_names({"/one/x/clone", "/two/x/clone"}), (Names{"one-x-clone", "two-x-clone"}));
-}
-
-TEST(SequenceNames, TheSameFolderTwiceIsAnError) {
-  EXPECT_THROW(sequence_names({"/data/a", "/data/b/../a"}), runner::UsageError);
-}
-
 TEST(Arguments, AllOfThem) {
   const char* const line[] = {"dot_eval",    "/d/a", "--rates", "1,4",    "/d/b",     "--jobs=3",   "--from", "5",
                               "--min-speed", "0.25", "--html",  "x.html", "--stereo", "--mask-dir", "m"};

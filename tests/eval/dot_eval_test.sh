@@ -79,6 +79,28 @@ ends "a plot of nothing" 2 "--plot needs --network-delay" "$sample" --plot "$wor
 ends "delays in words" 2 "--network-delay" "$sample" --network-delay soon
 ends "delays and rates" 2 "--network-delay takes one rate" "$sample" --network-delay 50 --rates 1,2
 
+# --- Beside the rules of published systems.
+
+"$dot_eval" "$work/first" --compare > "$work/stdout" 2> "$work/stderr"
+if grep -q "video module" "$work/stderr"; then
+  ends "compared without optical flow" 2 "--compare needs OpenCV's video module" "$work/first" --compare
+else
+  ends "compared" 1 "FAILED: $work/none: no such folder" "$sample" "$work/none" --compare
+  cp "$work/stdout" "$work/compare.txt"
+  for rule in dot "VDO-SLAM, paper" "VDO-SLAM, program" "DS-SLAM, program" "DynaSLAM, geometry"; do
+    [ "$(grep -c "^$rule  " "$work/compare.txt")" -eq 2 ] || fail "no rows of $rule"
+  done
+  # Everything moves: each standing object-frame is called moving, and none is missed for want of an answer.
+  grep -Eq '^everything moves +[0-9]+ +0\.[0-9]+ +0\.[0-9]+ +1\.000 +1\.000 +1\.000 +0\.000 ' "$work/compare.txt" ||
+    fail "everything moves, but the table has it otherwise"
+  # The tracker's row is that of the plain table.
+  "$dot_eval" "$sample" > "$work/plain.txt" 2> "$work/stderr" || fail "the plain table"
+  [ "$(awk '$1 == "POOLED" { print $3, $4, $5, $6, $7, $8, $9, $10 }' "$work/plain.txt")" = \
+    "$(awk '$1 == "dot" { print $2, $3, $4, $5, $6, $7, $8, $9; exit }' "$work/compare.txt")" ] ||
+    fail "the tracker is not measured as without --compare"
+fi
+ends "compared with a page" 2 "--html cannot be combined with --compare" "$sample" --compare --html "$work/no.html"
+
 # --- With --out the files are those of dot_run.
 
 ends "output" 0 "first" "$work/first" --rates 2 --out "$work/out"

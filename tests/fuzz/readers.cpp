@@ -15,6 +15,7 @@
 #include <string>
 
 #include "run/config.hpp"
+#include "sequence/coco_masks.hpp"
 #include "sequence/errors.hpp"
 #include "sequence/images.hpp"
 #include "sequence/instance_list.hpp"
@@ -105,6 +106,27 @@ void read_ids(const fs::path& /*folder*/, const fs::path& file) {
   require(read_indices(file, size).size() == size, "a size of an image of ids");
 }
 
+void read_coco(const fs::path& /*folder*/, const fs::path& file) {
+  const CocoMasks coco(file);
+  for (const char* const name : {"000000.png", "000001.png"}) {
+    if (!coco.has(name)) continue;
+    const Segmentation masks = coco.read(name, size, {"person"});
+    double largest = 0;
+    cv::minMaxLoc(masks.ids, nullptr, &largest);
+    require(masks.ids.size() == size, "a size of masks");
+    require(largest <= static_cast<double>(masks.instances.size()), "an id of no instance");
+    for (const dot::Instance& instance : masks.instances) require(std::isfinite(instance.score), "a score");
+  }
+}
+
+void open_named(const fs::path& folder, const fs::path& file) {
+  SequenceOptions options;
+  options.folder = folder;
+  options.images = "rgb";
+  options.intrinsics = file.filename();
+  check_recording(Sequence(options).recording());
+}
+
 // --- Recordings of two frames, one of each layout --------------------------------------------------------------------
 
 void text(const fs::path& path, const std::string& content) {
@@ -193,7 +215,9 @@ constexpr Target targets[] = {{"intrinsics.txt", make_own, open},            // 
                               {"bbox.txt", make_vkitti2, open},              // u
                               {"rgb.txt", make_tum, open},                   // v
                               {"depth.txt", make_tum, open},                 // w
-                              {"groundtruth.txt", make_tum, open}};          // x
+                              {"groundtruth.txt", make_tum, open},           // x
+                              {"coco.json", make_nothing, read_coco},        // y
+                              {"camera.json", make_own, open_named}};        // z
 
 /// A folder for each target, so that no file has to be put back; removed at the end.
 class Folders {

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
+#include <cstdint>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 #include <vector>
 
 #include "measures.hpp"
+#include "median.hpp"
 #include "words.hpp"
 
 /// @file
@@ -62,6 +65,29 @@ cv::Mat largest_part(const Gradients& gradients) {
   return largest == 0 ? cv::Mat(cv::Mat::zeros(fixed.size(), CV_8U)) : cv::Mat(labels == largest);
 }
 
+/// Whether the part is nearer than most of the picture. What is far, or has no depth and is at the top as the sky is,
+/// stays as well while the camera goes ahead.
+bool may_be_near(const Samples& samples, const cv::Mat& part) {
+  constexpr double nearer = 0.5;       // of the median depth
+  constexpr double least_share = 0.3;  // of the part's pixels that have depth, to count
+  std::vector<double> inside, all;
+  int pixels = 0;
+  const Sample& frame = samples.frames[samples.frames.size() / 2];
+  if (!has_depth(frame)) return true;
+  const cv::Mat z = metres(samples, frame);
+  for (int y = 0; y < z.rows; y += 2)
+    for (int x = 0; x < z.cols; x += 2) {
+      const bool in_part = part.at<std::uint8_t>(y, x) != 0;
+      if (in_part) ++pixels;
+      if (z.at<float>(y, x) <= 0) continue;
+      all.push_back(static_cast<double>(z.at<float>(y, x)));
+      if (in_part) inside.push_back(all.back());
+    }
+  if (static_cast<double>(inside.size()) < least_share * pixels || inside.empty())
+    return cv::boundingRect(part).y > 1;
+  return median(std::move(inside)) < nearer * median(std::move(all));
+}
+
 const char* side_of(const cv::Rect& box, cv::Size size) {
   if (box.y + box.height >= size.height - 1) return "at the bottom";
   if (box.y <= 1) return "at the top";
@@ -81,7 +107,8 @@ Findings check_fixed_parts(const Samples& samples) {
   const double moving_edges = cv::mean(gradients.all, rest)[0];
   const double still = moving_edges > 0 ? cv::mean(gradients.stay, rest)[0] / moving_edges : 1;
   if (still > of_rest) return {unknown("fixed-part", "The camera does not move enough.")};
-  if (area < least_area) return {fine("fixed-part", area, "%", "No part of the picture stays while the rest moves.")};
+  if (area < least_area || !may_be_near(samples, part))
+    return {fine("fixed-part", area, "%", "No part of the picture stays while the rest moves.")};
   return {faulty("fixed-part", area, "%",
                  number(area, 0) + " % of the picture, " + side_of(cv::boundingRect(part), part.size()) +
                      ", stays while the rest moves: a hood, a gripper or a frame.",

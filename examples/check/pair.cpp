@@ -135,7 +135,7 @@ Finding rows_finding(const std::vector<Point>& points) {
 
 Findings depth_findings(const std::vector<Point>& points) {
   constexpr double most_bias = 0.6;  // pixels
-  constexpr double most_scale = 0.015, of_calibration = 0.25;
+  constexpr double most_scale = 0.02, of_calibration = 0.25;
   const Line line = fit(points);
   Findings findings;
   if (std::abs(std::log(line.scale)) > of_calibration) {

@@ -14,7 +14,7 @@
 """
 
 from ._library import version as _version
-from .enums import CameraStatus, Classifier, DepthSource, Reason, State
+from .enums import CameraStatus, Classifier, DepthSource, Reason, State, Suspicion
 from .errors import Busy, Closed, Error, InternalError, InvalidArgument, NoResult, OutOfMemory
 from .masks import Instance, Masks, MasksLike
 from .result import CAMERA_DTYPE, OBJECT_DTYPE, CameraResult, Object, Result
@@ -24,4 +24,4 @@ __version__ = _version()
 
 __all__ = ["CAMERA_DTYPE", "OBJECT_DTYPE", "Busy", "Camera", "CameraMotion", "CameraResult", "CameraStatus",
            "Classifier", "Closed", "DepthSource", "Error", "Instance", "InternalError", "InvalidArgument", "Masks",
-           "MasksLike", "NoResult", "Object", "OutOfMemory", "Reason", "Result", "State", "Tracker"]
+           "MasksLike", "NoResult", "Object", "OutOfMemory", "Reason", "Result", "State", "Suspicion", "Tracker"]

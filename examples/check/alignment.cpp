@@ -134,8 +134,8 @@ int best_lag(Height height) {
 }  // namespace
 
 Lag find_lag(const Alignment& alignment) {
-  constexpr double clearly = 1.25;   // heights of a true lag over the next best on all sequences tried: 1.3 and more
-  constexpr double least = 0.1;      // height: below, nothing of the one is seen in the other
+  constexpr double clearly = 1.25;  // heights of a true lag over the next best on all sequences tried: 1.3 and more
+  constexpr double least = 0.1;     // height: below, nothing of the one is seen in the other
   double heights[2 * Alignment::kMaxLag + 1];
   const auto height = [&](int lag) -> double& { return heights[lag + Alignment::kMaxLag]; };
   for (int lag = -Alignment::kMaxLag; lag <= Alignment::kMaxLag; ++lag) height(lag) = alignment.match(lag).height;

@@ -39,7 +39,7 @@ class Alignment {
 
  private:
   struct Sum {
-    cv::Mat spectra[2];       ///< of the correlations of the left and the right sides
+    cv::Mat spectra[2];     ///< of the correlations of the left and the right sides
     double pixels[2] = {};  ///< of these sides
     void add(const Sum& other);
   };

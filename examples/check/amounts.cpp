@@ -26,9 +26,10 @@ Finding depth_finding(const Samples& samples) {
   const std::string said = number(share, share < 10 ? 1 : 0) + " % of the pixels have depth.";
   if (share >= (dense ? least : least_of_lidar)) return fine("depth-sparse", share, "%", said);
   return faulty("depth-sparse", share, "%", said,
-                dense ? "Look at the matcher's settings, the range of the camera, light and rectification. If the depth "
-                        "comes from a lidar, say so: `depth lidar` in intrinsics.txt, or depth_noise.source."
-                      : "The tracker needs the depth of a few per cent of the pixels.");
+                dense
+                    ? "Look at the matcher's settings, the range of the camera, light and rectification. If the depth "
+                      "comes from a lidar, say so: `depth lidar` in intrinsics.txt, or depth_noise.source."
+                    : "The tracker needs the depth of a few per cent of the pixels.");
 }
 
 /// Standard deviation of the grey values in a small square: of the richer squares of a picture.
@@ -53,9 +54,10 @@ Finding texture_finding(const Samples& samples) {
   const std::string said =
       "In squares of 32 pixels the grey values spread by " + number(found, 1) + " (standard deviation).";
   if (found >= least) return fine("texture-low", found, "grey values", said);
-  return faulty("texture-low", found, "grey values", said,
-                "More light, a longer exposure or more gain; a lens that is in focus; 8 bits that use the whole range of "
-                "values. Plain walls alone do not show how the camera moves.");
+  return faulty(
+      "texture-low", found, "grey values", said,
+      "More light, a longer exposure or more gain; a lens that is in focus; 8 bits that use the whole range of "
+      "values. Plain walls alone do not show how the camera moves.");
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ std::vector<double> correlations(const cv::Mat& grey) {
   cv::dft(sum, correlation, cv::DFT_INVERSE | cv::DFT_REAL_OUTPUT | cv::DFT_SCALE);
   std::vector<double> values(lags, 0);
   if (const auto all = static_cast<double>(correlation.at<float>(0)); all > 0)
-    for (int i = 0; i < lags; ++i) values[static_cast<std::size_t>(i)] = static_cast<double>(correlation.at<float>(i)) / all;
+    for (int i = 0; i < lags; ++i)
+      values[static_cast<std::size_t>(i)] = static_cast<double>(correlation.at<float>(i)) / all;
   return values;
 }
 
@@ -61,12 +62,14 @@ Findings check_blur(const Samples& samples) {
   const Blur& worse = rows.alike >= columns.alike ? rows : columns;
   const std::string direction = &worse == &rows ? "rows" : "columns";
   if (worse.alike < alike || worse.length < least || worse.opposite > opposite)
-    return {fine("motion-blur", 0, "px", "The images are sharp: neighbouring differences correlate by " +
-                                             number(worse.alike, 2) + " along the " + direction + ".")};
-  return {faulty("motion-blur", worse.length, "px",
-                 "The images are blurred over about " + text(worse.length) + " pixels along the " + direction + ".",
-                 "Expose for a shorter time, with more light or gain. Points are then found less precisely, and small or "
-                 "slow objects stay undecided.")};
+    return {fine("motion-blur", 0, "px",
+                 "The images are sharp: neighbouring differences correlate by " + number(worse.alike, 2) +
+                     " along the " + direction + ".")};
+  return {
+      faulty("motion-blur", worse.length, "px",
+             "The images are blurred over about " + text(worse.length) + " pixels along the " + direction + ".",
+             "Expose for a shorter time, with more light or gain. Points are then found less precisely, and small or "
+             "slow objects stay undecided.")};
 }
 
 }  // namespace check

@@ -31,15 +31,15 @@ void merge(Findings& all, Findings more) {
 }  // namespace
 
 std::size_t Report::faults() const {
-  return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(),
-                                                [](const Finding& f) { return f.verdict == Verdict::Fault; }));
+  return static_cast<std::size_t>(
+      std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.verdict == Verdict::Fault; }));
 }
 
 Report check_recording(const runner::SequenceOptions& options) {
   const Samples samples = read_samples(options);
   Report report{options.folder.string(), samples.recording.entries.size(), samples.frames.size(), {}};
-  for (const auto measure : {check_clock, check_repeats, check_amounts, check_registration, check_depth_scale, check_pair,
-                             check_masks, check_exposure, check_blur, check_fixed_parts})
+  for (const auto measure : {check_clock, check_repeats, check_amounts, check_registration, check_depth_scale,
+                             check_pair, check_masks, check_exposure, check_blur, check_fixed_parts})
     merge(report.findings, measure(samples));
   std::stable_sort(report.findings.begin(), report.findings.end(),
                    [](const Finding& a, const Finding& b) { return rank(a.verdict) < rank(b.verdict); });

@@ -13,9 +13,9 @@ namespace check {
 /// What a look at a recording has found.
 struct Report {
   std::string folder;
-  std::size_t frames = 0;   ///< of the recording
+  std::size_t frames = 0;  ///< of the recording
   std::size_t looked_at = 0;
-  Findings findings;        ///< one of each kind, faults first
+  Findings findings;  ///< one of each kind, faults first
   std::size_t faults() const;
 };
 

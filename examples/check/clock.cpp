@@ -37,10 +37,11 @@ Finding unit_finding(double step) {
   const std::string said = number(step, step < 1 ? 6 : 1) + " s from frame to frame by the timestamps";
   if (step > longest) {
     const Unit unit = likely_unit(step);
-    return faulty("time-unit", unit.per_second, "per second",
-                  said + ": they look like " + unit.name + ", " + number(unit.per_second / step, 1) + " frames a second.",
-                  "Give the times in seconds: divide them by " + number(unit.per_second, 0) +
-                      ". As they are, every frame counts as the first after a gap, and nothing is tracked.");
+    return faulty(
+        "time-unit", unit.per_second, "per second",
+        said + ": they look like " + unit.name + ", " + number(unit.per_second / step, 1) + " frames a second.",
+        "Give the times in seconds: divide them by " + number(unit.per_second, 0) +
+            ". As they are, every frame counts as the first after a gap, and nothing is tracked.");
   }
   if (step < shortest)
     return faulty("time-unit", step, "s", said + ": too short for a camera.",
@@ -68,10 +69,11 @@ Finding gap_finding(const std::vector<double>& steps, double usual) {
   for (const double step : steps)
     if (step > gap * usual) ++places, missing += static_cast<int>(std::lround(step / usual)) - 1;
   if (missing == 0) return fine("frames-dropped", 0, "frames", "The timestamps leave no gaps.");
-  return faulty("frames-dropped", missing, "frames",
-                count_text(missing, "frame") + " missing in " + count_text(places, "gap") + " of the timestamps.",
-                "Look for a full disk, a slow writer or a queue that drops. A gap of over a second makes the tracker start "
-                "anew; in a shorter one fast things may be lost.");
+  return faulty(
+      "frames-dropped", missing, "frames",
+      count_text(missing, "frame") + " missing in " + count_text(places, "gap") + " of the timestamps.",
+      "Look for a full disk, a slow writer or a queue that drops. A gap of over a second makes the tracker start "
+      "anew; in a shorter one fast things may be lost.");
 }
 
 }  // namespace

@@ -24,15 +24,15 @@ constexpr std::array<double, 2> steps_per_pixel{16, 8};
 
 /// Where the spectrum of the disparities has a line.
 struct Comb {
-  double per_pixel = 0;   ///< disparities a pixel, by the stated focal length, baseline and unit
-  double coherence = 0;   ///< 1: all of them lie on it
+  double per_pixel = 0;  ///< disparities a pixel, by the stated focal length, baseline and unit
+  double coherence = 0;  ///< 1: all of them lie on it
 };
 
 /// The strongest line near `per_pixel`.
 /// @param usable disparities that are stored finely enough to show it.
 std::optional<Comb> line_near(const Samples& samples, double per_pixel, double fx_baseline) {
-  constexpr double width = 1.22;        // the lines that are looked for, over and under
-  constexpr double finely = 0.25;       // of a step: the rounding of the file
+  constexpr double width = 1.22;   // the lines that are looked for, over and under
+  constexpr double finely = 0.25;  // of a step: the rounding of the file
   std::vector<float> disparities;
   double largest = 0;
   for (const Sample& frame : samples.frames) {
@@ -73,7 +73,7 @@ Finding unit_fault(double ratio) {
 }
 
 Findings judge(const Comb& comb) {
-  constexpr double most = 0.012;         // of the product: up to 0.005 on recordings without the fault
+  constexpr double most = 0.012;          // of the product: up to 0.005 on recordings without the fault
   constexpr double of_calibration = 0.2;  // more is no error of a calibration
   constexpr double of_unit = 0.06;
   double error = 10;  // ln of the true product over the stated one

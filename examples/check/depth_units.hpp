@@ -9,7 +9,7 @@ namespace check {
 
 /// A unit that is in use for depth images, where 1/256 m is expected.
 struct DepthUnit {
-  double too_far;    ///< depths read as 1/256 m over the true ones
+  double too_far;  ///< depths read as 1/256 m over the true ones
   const char* name;
 };
 

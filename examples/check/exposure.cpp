@@ -51,11 +51,12 @@ Finding jump_finding(const std::vector<double>& jumps) {
                 "From frame to frame the brightness changes by up to " + number(percent, 1) + " %.");
   }
   const double percent = 100 * (std::exp(median(large)) - 1);
-  return faulty("exposure-jumps", percent, "%",
-                "The brightness jumps " + count_text(static_cast<int>(large.size()), "time") + ", by " +
-                    number(percent, 0) + " % typically.",
-                "Fix exposure and gain, or let them change slowly. The tracker follows a change of the whole image, but "
-                "not what is lost in white and black.");
+  return faulty(
+      "exposure-jumps", percent, "%",
+      "The brightness jumps " + count_text(static_cast<int>(large.size()), "time") + ", by " + number(percent, 0) +
+          " % typically.",
+      "Fix exposure and gain, or let them change slowly. The tracker follows a change of the whole image, but "
+      "not what is lost in white and black.");
 }
 
 /// Brightness bands: a wave down the image that moves by the same share of its length from frame to frame.

@@ -18,9 +18,9 @@ namespace {
 constexpr float textured = 1;   ///< grey values a pixel: mean gradient from which a pixel counts
 constexpr float stays = 0.85F;  ///< length of the mean gradient over the mean of their lengths
 constexpr int surroundings = 31;
-constexpr double of_part = 0.6;    ///< share of textured pixels that stay, within the part
-constexpr double of_rest = 0.25;   ///< the most in the rest of the picture: the camera moves
-constexpr double least_area = 2;   ///< per cent of the picture
+constexpr double of_part = 0.6;   ///< share of textured pixels that stay, within the part
+constexpr double of_rest = 0.25;  ///< the most in the rest of the picture: the camera moves
+constexpr double least_area = 2;  ///< per cent of the picture
 
 struct Gradients {
   cv::Mat stay;  ///< CV_32FC1, 1 where an edge stays
@@ -59,8 +59,7 @@ cv::Mat largest_part(const Gradients& gradients) {
   const int count = cv::connectedComponentsWithStats(fixed, labels, statistics, centres);
   int largest = 0;
   for (int i = 1; i < count; ++i)
-    if (largest == 0 ||
-        statistics.at<int>(i, cv::CC_STAT_AREA) > statistics.at<int>(largest, cv::CC_STAT_AREA))
+    if (largest == 0 || statistics.at<int>(i, cv::CC_STAT_AREA) > statistics.at<int>(largest, cv::CC_STAT_AREA))
       largest = i;
   return largest == 0 ? cv::Mat(cv::Mat::zeros(fixed.size(), CV_8U)) : cv::Mat(labels == largest);
 }
@@ -83,8 +82,7 @@ bool may_be_near(const Samples& samples, const cv::Mat& part) {
       all.push_back(static_cast<double>(z.at<float>(y, x)));
       if (in_part) inside.push_back(all.back());
     }
-  if (static_cast<double>(inside.size()) < least_share * pixels || inside.empty())
-    return cv::boundingRect(part).y > 1;
+  if (static_cast<double>(inside.size()) < least_share * pixels || inside.empty()) return cv::boundingRect(part).y > 1;
   return median(std::move(inside)) < nearer * median(std::move(all));
 }
 
@@ -109,11 +107,12 @@ Findings check_fixed_parts(const Samples& samples) {
   if (still > of_rest) return {unknown("fixed-part", "The camera does not move enough.")};
   if (area < least_area || !may_be_near(samples, part))
     return {fine("fixed-part", area, "%", "No part of the picture stays while the rest moves.")};
-  return {faulty("fixed-part", area, "%",
-                 number(area, 0) + " % of the picture, " + side_of(cv::boundingRect(part), part.size()) +
-                     ", stays while the rest moves: a hood, a gripper or a frame.",
-                 "Set the depth to 0 there, so that it says nothing of the camera's motion, or crop the image (and move "
-                 "the principal point).")};
+  return {
+      faulty("fixed-part", area, "%",
+             number(area, 0) + " % of the picture, " + side_of(cv::boundingRect(part), part.size()) +
+                 ", stays while the rest moves: a hood, a gripper or a frame.",
+             "Set the depth to 0 there, so that it says nothing of the camera's motion, or crop the image (and move "
+             "the principal point).")};
 }
 
 }  // namespace check

@@ -82,7 +82,8 @@ Finding value_finding(const Samples& samples) {
   constexpr double most_graded = 0.15;  // borders between instances that touch: up to 0.02
   constexpr double most_regions = 1.6;  // an instance in two parts by what stands before it: up to 1.2 on average
   const char* const advice =
-      "Give each instance a value of its own, 0 for the background. Of a network that gives classes or one map for all, "
+      "Give each instance a value of its own, 0 for the background. Of a network that gives classes or one map for "
+      "all, "
       "take its instances, or number the connected regions.";
   const Values values = look_at(samples);
   if (values.graded > most_graded)
@@ -93,8 +94,8 @@ Finding value_finding(const Samples& samples) {
   const std::string said = "A value stands for " + number(values.regions, 1) + " separate regions on average, " +
                            text(values.most) + (values.most == 1 ? " value" : " values") + " in a frame at most";
   if (values.regions > most_regions)
-    return faulty("masks-values", values.regions, "regions a value", said + ": they look like classes, not like instances.",
-                  advice);
+    return faulty("masks-values", values.regions, "regions a value",
+                  said + ": they look like classes, not like instances.", advice);
   return fine("masks-values", values.regions, "regions a value", said + ".");
 }
 
@@ -117,14 +118,16 @@ Finding lag_finding(const Samples& samples) {
                   "submit_masks (dot_run --mask-delay) with that frame's id.");
   }
   if (!lag.known)
-    return unknown("masks-lag", "No lag fits clearly better than the others: too little moves, or the masks are coarse.");
+    return unknown("masks-lag",
+                   "No lag fits clearly better than the others: too little moves, or the masks are coarse.");
   return fine("masks-lag", 0, "frames", "Masks and images are of the same moment.");
 }
 
 }  // namespace
 
 Findings check_masks(const Samples& samples) {
-  const bool any = std::any_of(samples.frames.begin(), samples.frames.end(), [](const Sample& f) { return !f.ids.empty(); });
+  const bool any =
+      std::any_of(samples.frames.begin(), samples.frames.end(), [](const Sample& f) { return !f.ids.empty(); });
   if (!any) return {unknown("masks-values", "There are no masks.")};
   Findings findings{size_finding(samples), value_finding(samples)};
   findings.push_back(findings[0].verdict == Verdict::Fault ? unknown("masks-lag", "The masks have another size.")

@@ -17,9 +17,9 @@ namespace check {
 namespace {
 
 struct Point {
-  double row_error = 0;   ///< pixels by which the right image is lower
-  double disparity = 0;   ///< pixels, measured
-  double expected = 0;    ///< pixels, by depth, focal length and baseline; 0: no depth
+  double row_error = 0;  ///< pixels by which the right image is lower
+  double disparity = 0;  ///< pixels, measured
+  double expected = 0;   ///< pixels, by depth, focal length and baseline; 0: no depth
 };
 
 /// Corners, some to each part of the image.
@@ -58,7 +58,8 @@ bool find(const Sample& frame, const cv::Point& at, int most_disparity, Point& p
   cv::Point place;
   cv::minMaxLoc(score, nullptr, &best, nullptr, &place);
   constexpr double alike = 0.93, other_place = 0.85;
-  if (best < alike || place.x < 1 || place.y < 1 || place.x + 1 >= score.cols || place.y + 1 >= score.rows) return false;
+  if (best < alike || place.x < 1 || place.y < 1 || place.x + 1 >= score.cols || place.y + 1 >= score.rows)
+    return false;
   cv::Mat elsewhere = score.clone();
   cv::circle(elsewhere, place, 4, cv::Scalar(-1), cv::FILLED);
   double second = 0;
@@ -128,9 +129,10 @@ Finding rows_finding(const std::vector<Point>& points) {
   const std::string said = "Half of " + text(static_cast<int>(points.size())) + " points lie over " + number(size, 2) +
                            " rows higher or lower in the right image (median " + number(mean, 2) + " lower).";
   if (size <= most) return fine("pair-rows", size, "px", said);
-  return faulty("pair-rows", size, "px", said,
-                "Rectify the pair: what lies in a row of the left image must lie in the same row of the right one. Over "
-                "half a row costs depth, over two rows most of it.");
+  return faulty(
+      "pair-rows", size, "px", said,
+      "Rectify the pair: what lies in a row of the left image must lie in the same row of the right one. Over "
+      "half a row costs depth, over two rows most of it.");
 }
 
 Findings depth_findings(const std::vector<Point>& points) {
@@ -147,10 +149,11 @@ Findings depth_findings(const std::vector<Point>& points) {
   const double percent = 100 * (1 / line.scale - 1);
   const std::string scale = "Focal length times baseline is " + number(std::abs(percent), 1) + " % " +
                             (percent > 0 ? "more" : "less") + " than the disparities of the pair say.";
-  findings.push_back(std::abs(percent) > 100 * most_scale
-                         ? faulty("focal-baseline", percent, "%", scale,
-                                  "Use the calibration of the rectified images; look whether they were scaled or cropped.")
-                         : fine("focal-baseline", percent, "%", scale));
+  findings.push_back(
+      std::abs(percent) > 100 * most_scale
+          ? faulty("focal-baseline", percent, "%", scale,
+                   "Use the calibration of the rectified images; look whether they were scaled or cropped.")
+          : fine("focal-baseline", percent, "%", scale));
   const std::string bias = "The depth's disparities are " + number(std::abs(line.bias), 2) + " px " +
                            (line.bias < 0 ? "larger" : "smaller") + " than those of the pair.";
   findings.push_back(std::abs(line.bias) > most_bias
@@ -164,7 +167,8 @@ Findings depth_findings(const std::vector<Point>& points) {
 }  // namespace
 
 Findings check_pair(const Samples& samples) {
-  const bool any = std::any_of(samples.frames.begin(), samples.frames.end(), [](const Sample& f) { return !f.right.empty(); });
+  const bool any =
+      std::any_of(samples.frames.begin(), samples.frames.end(), [](const Sample& f) { return !f.right.empty(); });
   const auto none = [](const std::string& why) {
     return Findings{unknown("pair-rows", why), unknown("disparity-bias", why)};
   };

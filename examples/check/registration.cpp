@@ -29,11 +29,12 @@ Finding size_finding(const Samples& samples) {
   for (const Sample& frame : samples.frames)
     if (!has_depth(frame)) {
       const double percent = 100.0 * frame.depth.cols / frame.grey.cols;
-      return faulty("depth-size", percent, "%",
-                    "The depth of frame " + text(samples.recording.entries[frame.index].number) + " is " +
-                        size_text(frame.depth.size()) + ", the image " + size_text(frame.grey.size()) + ".",
-                    "Register the depth to the image: each pixel of the image needs the depth of what it shows. Scaling "
-                    "is right only where both are of one lens.");
+      return faulty(
+          "depth-size", percent, "%",
+          "The depth of frame " + text(samples.recording.entries[frame.index].number) + " is " +
+              size_text(frame.depth.size()) + ", the image " + size_text(frame.grey.size()) + ".",
+          "Register the depth to the image: each pixel of the image needs the depth of what it shows. Scaling "
+          "is right only where both are of one lens.");
     }
   return fine("depth-size", 100, "%", "The depth has the size of the image.");
 }
@@ -41,12 +42,13 @@ Finding size_finding(const Samples& samples) {
 Finding lag_finding(const Lag& lag) {
   if (lag.clear) {
     const int frames = std::abs(lag.frames);
-    return faulty("depth-lag", lag.frames, "frames",
-                  "The depth comes " + count_text(frames, "frame") + (lag.frames > 0 ? " late: " : " early: ") +
-                      "its edges lie on those of the image " + count_text(frames, "frame") +
-                      (lag.frames > 0 ? " before." : " after."),
-                  "Pair images and depth by their timestamps, not by their order of arrival; look for a buffer that holds "
-                  "one of the two back.");
+    return faulty(
+        "depth-lag", lag.frames, "frames",
+        "The depth comes " + count_text(frames, "frame") + (lag.frames > 0 ? " late: " : " early: ") +
+            "its edges lie on those of the image " + count_text(frames, "frame") +
+            (lag.frames > 0 ? " before." : " after."),
+        "Pair images and depth by their timestamps, not by their order of arrival; look for a buffer that holds "
+        "one of the two back.");
   }
   if (!lag.known)
     return unknown("depth-lag", "No lag fits clearly better than the others: too little moves, or has edges in depth.");
@@ -62,9 +64,10 @@ Finding offset_finding(const Lag& lag) {
   const std::string where = number(lag.match.offset.x, 1) + " px to the right and " + number(lag.match.offset.y, 1) +
                             " px down (negative: left, up)";
   if (pixels <= most) return fine("depth-offset", pixels, "px", "The depth lies on the image: " + where + ".");
-  return faulty("depth-offset", pixels, "px", "The depth does not lie on the image: it is " + where + ".",
-                "Register the depth to the camera that takes the image (its pose and both intrinsics), and see that both "
-                "are cropped and rectified alike.");
+  return faulty(
+      "depth-offset", pixels, "px", "The depth does not lie on the image: it is " + where + ".",
+      "Register the depth to the camera that takes the image (its pose and both intrinsics), and see that both "
+      "are cropped and rectified alike.");
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ Findings check_repeats(const Samples& samples) {
     const bool image = equal(before.grey, now.grey);
     if (image) ++images;
     if (!image && !samples.depth_from_pair && before.depth.size() == now.depth.size() &&
-        cv::norm(before.depth, now.depth, cv::NORM_INF) == 0) ++depths;
+        cv::norm(before.depth, now.depth, cv::NORM_INF) == 0)
+      ++depths;
   }
   if (pairs == 0) return {unknown("images-repeated", "There are no two frames in a row.")};
   Findings findings;
@@ -46,7 +47,8 @@ Findings check_repeats(const Samples& samples) {
       findings.push_back(fine(fault, 0, "%", words));
   };
   add("images-repeated", images, "image",
-      "Leave these frames out: for the tracker all things stop for a moment and then jump. Look for a driver that hands "
+      "Leave these frames out: for the tracker all things stop for a moment and then jump. Look for a driver that "
+      "hands "
       "out its last picture when there is no new one.");
   add("depth-repeated", depths, "depth",
       "Leave the depth of these frames out (all zeros), or take images at the rate of the depth: it is a frame late.");

@@ -80,7 +80,8 @@ Samples read_samples(const runner::SequenceOptions& options) {
       frame.depth = stereo->compute(frame.grey, frame.right);
     } else {
       frame.depth = runner::read_image(entry.depth);
-      if (frame.depth.type() != CV_16UC1) throw runner::FileError(entry.depth.string() + ": must be a 16-bit grey image");
+      if (frame.depth.type() != CV_16UC1)
+        throw runner::FileError(entry.depth.string() + ": must be a 16-bit grey image");
     }
     if (!entry.masks.empty()) frame.ids = one_channel(entry.masks, runner::read_indices(entry.masks));
     samples.frames.push_back(std::move(frame));

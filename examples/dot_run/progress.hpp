@@ -52,7 +52,7 @@ class Summary {
   int camera_lost_ = 0;
   std::map<dot::Suspicion, int> suspicions_;  ///< frames with each
   std::map<dot::Suspicion, double> figures_;  ///< the last one of each
-  double disparity_bias_px_ = 0;  ///< in the last frame
+  double disparity_bias_px_ = 0;              ///< in the last frame
 };
 
 }  // namespace runner

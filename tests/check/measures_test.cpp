@@ -116,8 +116,7 @@ Samples with_steps(double per_metre, double stated_focal_length) {
     for (int y = 0; y < frame.depth.rows; ++y)
       for (int x = 0; x < frame.depth.cols; ++x) {
         const double disparity = (48 + (x + 3 * y) % 250) / 16.0;
-        frame.depth.at<std::uint16_t>(y, x) =
-            cv::saturate_cast<std::uint16_t>(fx_baseline / disparity * per_metre);
+        frame.depth.at<std::uint16_t>(y, x) = cv::saturate_cast<std::uint16_t>(fx_baseline / disparity * per_metre);
       }
   return samples;
 }

@@ -19,6 +19,7 @@ namespace dot_c {
 constexpr std::uint32_t to_c(dot::State state) { return static_cast<std::uint32_t>(state); }
 constexpr std::uint32_t to_c(dot::Reason reason) { return static_cast<std::uint32_t>(reason); }
 constexpr std::uint32_t to_c(dot::CameraStatus status) { return static_cast<std::uint32_t>(status); }
+constexpr std::uint32_t to_c(dot::Suspicion suspicion) { return static_cast<std::uint32_t>(suspicion); }
 
 // The C values are fixed. These checks prevent that a change of the C++ values changes them.
 static_assert(to_c(dot::State::Background) == DOT_STATE_BACKGROUND);
@@ -47,6 +48,13 @@ static_assert(to_c(dot::CameraStatus::Tracked) == DOT_CAMERA_TRACKED);
 static_assert(to_c(dot::CameraStatus::FromHost) == DOT_CAMERA_FROM_HOST);
 static_assert(to_c(dot::CameraStatus::TooLittleDepth) == DOT_CAMERA_TOO_LITTLE_DEPTH);
 static_assert(to_c(dot::CameraStatus::Lost) == DOT_CAMERA_LOST);
+static_assert(to_c(dot::Suspicion::None) == DOT_SUSPICION_NONE);
+static_assert(to_c(dot::Suspicion::ImplausibleTimes) == DOT_SUSPICION_IMPLAUSIBLE_TIMES);
+static_assert(to_c(dot::Suspicion::RepeatedImages) == DOT_SUSPICION_REPEATED_IMAGES);
+static_assert(to_c(dot::Suspicion::TooLittleDepth) == DOT_SUSPICION_TOO_LITTLE_DEPTH);
+static_assert(to_c(dot::Suspicion::TooLittleTexture) == DOT_SUSPICION_TOO_LITTLE_TEXTURE);
+static_assert(to_c(dot::Suspicion::ImplausibleDepth) == DOT_SUSPICION_IMPLAUSIBLE_DEPTH);
+static_assert(to_c(dot::Suspicion::DepthOutOfStep) == DOT_SUSPICION_DEPTH_OUT_OF_STEP);
 
 inline dot_object to_c(const dot::ObjectResult& object) {
   dot_object out{};
@@ -103,6 +111,8 @@ inline dot_camera_result to_c(const dot::Result& result) {
   out.normalised_variance = camera.reduced_chi2;
   out.masked_share = dot::masked_share(result);
   out.small_instances = result.small_instances;
+  out.suspicion = to_c(result.diagnosis.reason);
+  out.suspicion_figure = result.diagnosis.figure;
   return out;
 }
 

@@ -28,8 +28,9 @@ using dot::FieldName;
 template <typename T>
 constexpr std::array<std::uint32_t, 1> published_sizes{sizeof(T)};
 template <>
-inline constexpr std::array<std::uint32_t, 3> published_sizes<dot_camera_result>{
-    offsetof(dot_camera_result, masked_share), offsetof(dot_camera_result, small_instances), sizeof(dot_camera_result)};
+inline constexpr std::array<std::uint32_t, 4> published_sizes<dot_camera_result>{
+    offsetof(dot_camera_result, masked_share), offsetof(dot_camera_result, small_instances),
+    offsetof(dot_camera_result, suspicion_figure), sizeof(dot_camera_result)};
 template <>
 inline constexpr std::array<std::uint32_t, 2> published_sizes<dot_frame>{offsetof(dot_frame, camera_prior),
                                                                          sizeof(dot_frame)};

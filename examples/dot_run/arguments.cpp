@@ -16,6 +16,7 @@ namespace {
 const char* const own_usage =
     R"(usage: dot_run SEQ [--out OUT] [--player FILE] [--video FILE] [options]
        dot_run --list FILE --out OUT [--jobs N] [--resume] [--shard I/N] [options]
+       dot_run SEQ --check [--html FILE] [--json]
 
 Labels the objects of a recorded sequence as static, moving or not observable.
 
@@ -23,6 +24,12 @@ SEQ holds rgb/, depth/ or right/, masks/ and intrinsics.txt, or is a recording o
 or TUM RGB-D, see docs/recordings.md. OUT receives labels/, instances/, camera.txt, objects.csv and
 timing.csv; the tables end in .partial until the last frame is done. At least one of OUT, a player and a
 video must be named.
+
+instead of a run
+  --check                   look at the recording, and say what is wrong with its images, depth, masks and times;
+                            status 0: nothing found, 3: faults found; see docs/check.md
+  --html FILE               with --check: the report as a page, .html
+  --json                    with --check: the report as JSON on standard output
 
 what to write
   --out OUT                 folder for the results, made if it does not exist; those of an earlier run in it
@@ -179,7 +186,11 @@ void check_sequences(const Arguments& a) {
 
 void check(Arguments& a, const std::string& needs_network) {
   SequenceOptions& sequence = a.run.sequence;
+  if (a.check.wanted && !a.data_set.list.empty()) throw UsageError("--check looks at one sequence, not at a --list");
   check_sequences(a);
+  if (a.check.wanted) return;
+  if (!a.check.html.empty() || a.check.json)
+    throw UsageError(std::string(a.check.json ? "--json" : "--html") + " needs --check");
   check_outputs(a.output);
   if (a.mask_delay > 0 && (a.real_time || a.network_seconds))
     throw UsageError("--mask-delay does not go with --real-time or --network-delay");
@@ -201,6 +212,9 @@ Arguments parse_arguments(int count, const char* const* values) {
   CommandLine line;
   add_run_options(line, a.run);
   line.flag("--overlay", a.output.results.overlay);
+  line.flag("--check", a.check.wanted);
+  line.flag("--json", a.check.json);
+  line.option("--html", [&](auto& name, auto& value) { a.check.html = with_ending(name, value, {".html"}); });
   line.flag("--help", a.help);
   line.flag("-h", a.help);
   line.option("--out", [&](auto& name, auto& value) { a.output.results.out = not_empty(name, value); });

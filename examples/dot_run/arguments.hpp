@@ -29,8 +29,16 @@ struct DataSet {
   bool resume = false;  ///< complete ones are not done again
 };
 
+/// A look at the recording instead of a run.
+struct CheckOptions {
+  bool wanted = false;
+  std::filesystem::path html;  ///< page to write; empty: none
+  bool json = false;           ///< the report on standard output as JSON
+};
+
 struct Arguments {
   RunOptions run;
+  CheckOptions check;
   OutputPaths output;
   int mask_delay = 0;                     ///< frames
   network::NetworkOptions network;        ///< without a model: the masks of the sequence

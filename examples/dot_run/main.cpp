@@ -10,10 +10,12 @@
 #include <opencv2/core/utils/logger.hpp>
 
 #include "arguments.hpp"
+#include "check/report.hpp"
 #include "data_set.hpp"
 #include "player/video_reader.hpp"
 #include "run.hpp"
 #include "sequence/errors.hpp"
+#include "sequence/output_file.hpp"
 
 namespace {
 
@@ -24,6 +26,20 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal's handler sets i
 void interrupt(int signal) {
   interrupted = true;
   std::signal(signal, SIG_DFL);
+}
+
+constexpr int status_of_faults = 3;
+
+/// @return whether no fault was found.
+bool look_at(const runner::Arguments& arguments) {
+  const check::Report report = check::check_recording(arguments.run.sequence);
+  if (!arguments.check.html.empty()) {
+    runner::OutputFile file(arguments.check.html);
+    file.stream() << check::html_report(report);
+    file.finish();
+  }
+  std::fputs((arguments.check.json ? check::json_report(report) : check::text_report(report)).c_str(), stdout);
+  return report.faults() == 0;
 }
 
 }  // namespace
@@ -39,6 +55,7 @@ int main(int argc, char** argv) {
       std::printf("%s", usage().c_str());
       return 0;
     }
+    if (arguments.check.wanted) return look_at(arguments) ? 0 : status_of_faults;
     std::signal(SIGINT, interrupt);
     std::signal(SIGTERM, interrupt);
     if (!arguments.data_set.list.empty()) return run_data_set(arguments, interrupted);

@@ -69,6 +69,10 @@ void Summary::add(const SequenceFrame& frame, const dot::Result& result, double 
   if (result.camera.status == dot::CameraStatus::Lost || result.camera.status == dot::CameraStatus::TooLittleDepth)
     ++camera_lost_;
   disparity_bias_px_ = result.disparity_bias_px;
+  if (const dot::Diagnosis& diagnosis = result.diagnosis; diagnosis.reason != dot::Suspicion::None) {
+    ++suspicions_[diagnosis.reason];
+    figures_[diagnosis.reason] = diagnosis.figure;
+  }
   for (const dot::ObjectResult& object : result.objects)
     if (object.area > 0) last_decided_[object.id] = object.last_decided;
 }
@@ -90,6 +94,12 @@ void Summary::print_masks() const {
 std::vector<double> Summary::steady_ms() const {
   // The first frame takes the buffers and has nothing to compare with.
   return {total_ms_.begin() + (total_ms_.size() > 1 ? 1 : 0), total_ms_.end()};
+}
+
+void Summary::print_suspicions() const {
+  for (const auto& [suspicion, frames] : suspicions_)
+    std::printf("input     %s (%.3g) in %d frames: look at it with dot_run %s --check\n", dot::to_string(suspicion),
+                figures_.at(suspicion), frames, source_.folder.c_str());
 }
 
 dataset::Figures Summary::figures() const {
@@ -120,6 +130,7 @@ void Summary::print(const OutputPaths& output, const std::string& remarks) const
   if (disparity_bias_px_ >= 0.05)
     std::printf("depth     disparities off by %.2f px (RMS over the image, as learnt); corrected\n",
                 disparity_bias_px_);
+  print_suspicions();
   if (f.frames > 1)
     std::printf("time      %.1f ms a frame, median %.1f (tracking alone, without the first frame)\n", f.ms_per_frame,
                 percentile(steady_ms(), 50));

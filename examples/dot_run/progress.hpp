@@ -47,13 +47,16 @@ class Summary {
  private:
   void print_masks() const;
   std::vector<double> steady_ms() const;
+  void print_suspicions() const;
 
   SequenceOptions source_;
   int segmented_ = 0;                                 ///< frames
   std::map<std::uint32_t, dot::State> last_decided_;  ///< of each object that was ever shown
   std::vector<double> total_ms_;
   int camera_lost_ = 0;
-  double disparity_bias_px_ = 0;  ///< in the last frame
+  std::map<dot::Suspicion, int> suspicions_;  ///< frames with each
+  std::map<dot::Suspicion, double> figures_;  ///< the last one of each
+  double disparity_bias_px_ = 0;              ///< in the last frame
 };
 
 }  // namespace runner

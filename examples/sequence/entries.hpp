@@ -34,12 +34,14 @@ std::string image_name(const RecordingEntry& entry);
 std::filesystem::path same_frame(const std::filesystem::path& folder, const RecordingEntry& entry);
 
 /// One time in seconds a line.
+/// @param plausible whether they must be, and increase.
 /// @throws FileError naming the line at which time does not increase.
-void read_times(const std::filesystem::path& path, std::vector<RecordingEntry>& entries);
+void read_times(const std::filesystem::path& path, std::vector<RecordingEntry>& entries, bool plausible = true);
 
 /// Times in seconds that a layout has read in its own manner, one a row.
 /// @throws FileError naming the line at which time does not increase.
-void set_times(const std::filesystem::path& path, const std::vector<Row>& rows, std::vector<RecordingEntry>& entries);
+void set_times(const std::filesystem::path& path, const std::vector<Row>& rows, std::vector<RecordingEntry>& entries,
+               bool plausible = true);
 
 /// Camera-to-world poses, 3x4 row-major, as the truth.
 void read_poses(const std::filesystem::path& path, std::vector<RecordingEntry>& entries);

@@ -129,16 +129,21 @@ cv::Mat read_image(const std::filesystem::path& path, cv::Size size) {
   return image;
 }
 
-cv::Mat read_indices(const std::filesystem::path& path, cv::Size size) {
+cv::Mat read_indices(const std::filesystem::path& path) {
   const std::vector<std::uint8_t> bytes = read_bytes(path);
   const bool palette = has_palette(bytes);
   if (palette && bytes[png_bit_depth] > 8) throw FileError(path.string() + ": not a readable image");
   cv::Mat indices = decode(path, palette ? without_palette(bytes) : bytes);
-  check_size(path, indices, size);
   if (!palette) return indices;
   // Grey values of less than 8 bits are spread over the whole range.
   const int spread = 255 / ((1 << bytes[png_bit_depth]) - 1);
   if (spread > 1) indices /= spread;
+  return indices;
+}
+
+cv::Mat read_indices(const std::filesystem::path& path, cv::Size size) {
+  cv::Mat indices = read_indices(path);
+  check_size(path, indices, size);
   return indices;
 }
 

@@ -20,6 +20,9 @@ void check_size(const std::filesystem::path& path, const cv::Mat& image, cv::Siz
 /// Like read_image, but of a PNG file with a palette the indices themselves, CV_8UC1, whatever their colours.
 cv::Mat read_indices(const std::filesystem::path& path, cv::Size size);
 
+/// Of any size.
+cv::Mat read_indices(const std::filesystem::path& path);
+
 /// Writes a PNG file; under its name stands a whole picture at any time, see OutputFile.
 /// @throws FileError when that fails.
 void write_image(const std::filesystem::path& path, const cv::Mat& image);

@@ -39,7 +39,7 @@ Recording read_kitti_odometry(const SequenceOptions& options) {
   const cv::Size size = read_image(recording.entries[0].image).size();
   const KittiRig rig = read_rig(calibration, colour ? "P2" : "P0", colour ? "P3" : "P1", size);
   recording.intrinsics = rig.intrinsics;
-  read_times(options.folder / "times.txt", recording.entries);
+  read_times(options.folder / "times.txt", recording.entries, options.check_times);
   list_masks(options, recording.entries);
   choose_depth(options, options.folder / (colour ? "image_3" : "image_1"), calibration, {}, recording);
   if (options.truth) read_truth(options.folder, rig.X_left_0, recording.entries);

@@ -92,7 +92,8 @@ Recording read_own_layout(const SequenceOptions& options) {
   // Before anybody takes memory for images of the size that is claimed.
   read_image(recording.entries[0].image, {camera.intrinsics.width, camera.intrinsics.height});
   for (RecordingEntry& entry : recording.entries) entry.timestamp = entry.number / camera.fps;
-  if (fs::exists(options.folder / "times.txt")) read_times(options.folder / "times.txt", recording.entries);
+  if (fs::exists(options.folder / "times.txt"))
+    read_times(options.folder / "times.txt", recording.entries, options.check_times);
   list_masks(options, recording.entries);
   choose_depth(options, options.folder / "right", options.folder / "intrinsics.txt", camera.stated_source, recording);
   if (options.truth) read_truth(options.folder, recording.entries);

@@ -38,6 +38,7 @@ struct SequenceOptions {
   bool masks = true;                        ///< read the masks; off where a network makes them
   std::filesystem::path camera;             ///< camera-to-world poses to use instead of estimating the motion
   std::vector<std::string> always_dynamic;  ///< classes of the masks' csv files
+  bool check_times = true;                  ///< refuse those that do not increase or are no seconds
   bool truth = false;                       ///< read the truth as well: a tracker has no business with it
 };
 
@@ -78,7 +79,7 @@ struct Recording {
   double depth_units_per_metre = 256;
   std::optional<Distortion> distortion;  ///< of the images; depth, masks and truth belong to them pixel by pixel
   std::map<std::filesystem::path, std::shared_ptr<VideoInput>> videos;
-  std::vector<RecordingEntry> entries;  ///< at least one, by increasing time
+  std::vector<RecordingEntry> entries;  ///< at least one, by increasing time if that was checked
 };
 
 /// Line of a per-frame file for the frame at `index` of `frames`: files hold a line for each image, or, where the

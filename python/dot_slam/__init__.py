@@ -14,7 +14,8 @@
 """
 
 from ._library import version as _version
-from .enums import CameraStatus, Classifier, DepthSource, Reason, State
+from ._check import Finding, check
+from .enums import CameraStatus, Classifier, DepthSource, Reason, State, Suspicion
 from .errors import Busy, Closed, Error, InternalError, InvalidArgument, NoResult, OutOfMemory
 from .masks import Instance, Masks, MasksLike
 from .result import CAMERA_DTYPE, OBJECT_DTYPE, CameraResult, Object, Result
@@ -23,5 +24,5 @@ from .tracker import Camera, CameraMotion, Tracker
 __version__ = _version()
 
 __all__ = ["CAMERA_DTYPE", "OBJECT_DTYPE", "Busy", "Camera", "CameraMotion", "CameraResult", "CameraStatus",
-           "Classifier", "Closed", "DepthSource", "Error", "Instance", "InternalError", "InvalidArgument", "Masks",
-           "MasksLike", "NoResult", "Object", "OutOfMemory", "Reason", "Result", "State", "Tracker"]
+           "Classifier", "Closed", "DepthSource", "Error", "Finding", "Instance", "InternalError", "InvalidArgument", "Masks",
+           "MasksLike", "NoResult", "Object", "OutOfMemory", "Reason", "Result", "State", "Suspicion", "Tracker", "check"]

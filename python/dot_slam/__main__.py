@@ -13,7 +13,8 @@ from collections import deque
 from pathlib import Path
 from typing import Sequence as Items
 
-from . import Error, State, Tracker, __version__
+from . import Error, State, Tracker, __version__, check
+from ._check import FAULTS_FOUND
 from .sequence import DEPTH_UNITS_PER_METRE, FileError, Sequence, SequenceFrame
 from .writer import ResultWriter
 
@@ -23,7 +24,10 @@ def _arguments(values: Items[str] | None) -> argparse.Namespace:
         SEQ holds rgb/, depth/, masks/ and intrinsics.txt. OUT receives labels/ (0 background, 1 static, 2 moving, 3 not
         observable), instances/ (track ids), camera.txt and objects.csv, as of dot_run.""")
     parser.add_argument("sequence", metavar="SEQ", type=Path)
-    parser.add_argument("--out", metavar="OUT", type=Path, required=True, help="folder for the results")
+    parser.add_argument("--out", metavar="OUT", type=Path, help="folder for the results")
+    parser.add_argument("--check", action="store_true",
+                        help="look at the recording instead, with the program dot_run; status 3 if there are faults")
+    parser.add_argument("--html", metavar="FILE", type=Path, help="with --check: the report as a page")
     parser.add_argument("--mask-every", metavar="K", type=int, default=1, help="use the masks of frames 0, K, 2K alone")
     parser.add_argument("--mask-delay", metavar="N", type=int, default=0,
                         help="hand a frame's masks over only after N further frames, as if a network took that long")
@@ -33,6 +37,10 @@ def _arguments(values: Items[str] | None) -> argparse.Namespace:
                         help="an option of the tracker, such as velocity.v0=1; may be repeated")
     parser.add_argument("--version", action="version", version=__version__)
     arguments = parser.parse_args(values)
+    if not arguments.check and arguments.out is None:
+        parser.error("the following arguments are required: --out")
+    if arguments.html and not arguments.check:
+        parser.error("--html needs --check")
     if arguments.mask_every < 1:
         parser.error("--mask-every must be at least 1")
     if arguments.mask_delay < 0:
@@ -83,10 +91,23 @@ def run(arguments: argparse.Namespace) -> None:
     print(f"results   {arguments.out.resolve()}")
 
 
+def look(arguments: argparse.Namespace) -> int:
+    findings = check(arguments.sequence, html=arguments.html)
+    for item in findings:
+        figure = "" if item.figure is None or item.verdict != "fault" else f"{item.figure:.4g} {item.unit}: "
+        print(f"{item.verdict:14}{item.fault:18}{figure}{item.words}")
+        if item.advice:
+            print(f"{'':32}What to do: {item.advice}")
+    return FAULTS_FOUND if any(item.verdict == "fault" for item in findings) else 0
+
+
 def main(values: Items[str] | None = None) -> int:
     logging.basicConfig(format="dot_slam: %(message)s")
     try:
-        run(_arguments(values))
+        arguments = _arguments(values)
+        if arguments.check:
+            return look(arguments)
+        run(arguments)
         return 0
     except KeyboardInterrupt:
         return 130  # as a shell has it; the tables keep the name .partial

@@ -46,6 +46,18 @@ class CameraStatus(IntEnum):
     LOST = 4
 
 
+class Suspicion(IntEnum):
+    """What may be wrong with the input, the gravest first; its figure is CameraResult.suspicion_figure."""
+
+    NONE = 0
+    IMPLAUSIBLE_TIMES = 1  # steps between frames that no camera has; the last one, seconds
+    REPEATED_IMAGES = 2  # images of the frame before; share of the last frames, 0 to 1
+    TOO_LITTLE_DEPTH = 3  # too few points to track; share of the pixels with depth, 0 to 1
+    TOO_LITTLE_TEXTURE = 4  # too few points to track; share of the last frames, 0 to 1
+    IMPLAUSIBLE_DEPTH = 5  # its unit may be wrong; the typical depth, metres
+    DEPTH_OUT_OF_STEP = 6  # depth of another frame; frames by which it is late, negative: early
+
+
 class DepthSource(IntEnum):
     """Determines the form of the depth's noise."""
 

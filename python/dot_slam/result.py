@@ -17,7 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library as c
-from .enums import CameraStatus, Reason, State
+from .enums import CameraStatus, Reason, State, Suspicion
 
 Floats = npt.NDArray[np.float64]
 
@@ -34,7 +34,8 @@ CAMERA_DTYPE = np.dtype(
     [("struct_size", "u4"), ("status", "u4"), ("n_points", "i4"), ("n_inliers", "i4"), ("frame_id", "u8"),
      ("timestamp", "f8"), ("interval", "f8"), ("T_cur_prev", "f8", (3, 4)), ("covariance", "f8", (6, 6)),
      ("phi", "f8"), ("gain", "f8"), ("offset", "f8"), ("residual_sigma", "f8"), ("normalised_variance", "f8"),
-     ("masked_share", "f8"), ("small_instances", "i4"), ("reserved", "u4")], align=True)
+     ("masked_share", "f8"), ("small_instances", "i4"), ("reserved", "u4"), ("suspicion_figure", "f8"),
+     ("suspicion", "u4"), ("reserved2", "u4")], align=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +57,8 @@ class CameraResult:
     normalised_variance: float  # of the residuals over their predicted sigma; near 1 if consistent
     masked_share: float  # 0 to 1: share of the image that the default policy excludes, without dilation
     small_instances: int  # masks of this frame without a track, too small to start one (mask.min_pixels)
+    suspicion: Suspicion  # what may be wrong with the last frames' images, depth and times
+    suspicion_figure: float  # its size; see Suspicion
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,7 +108,8 @@ class Object:
 _FLAGS = {"segmented": c.OBJECT_SEGMENTED, "always_dynamic": c.OBJECT_ALWAYS_DYNAMIC,
           "discovered": c.OBJECT_DISCOVERED}
 _ENUMS: dict[tuple[type, str], Any] = {(Object, "state"): State, (Object, "last_decided"): State,
-                                       (Object, "reason"): Reason, (CameraResult, "status"): CameraStatus}
+                                       (Object, "reason"): Reason, (CameraResult, "status"): CameraStatus,
+                                       (CameraResult, "suspicion"): Suspicion}
 _T = TypeVar("_T", Object, CameraResult)
 
 

@@ -24,8 +24,9 @@ static void test_layout(void) {
   CHECK(sizeof(dot_camera_motion) == 392 && offsetof(dot_camera_motion, covariance) == 104);
   CHECK(sizeof(dot_frame) == 64 && offsetof(dot_frame, image) == 24 && offsetof(dot_frame, masks) == 40);
   CHECK(offsetof(dot_frame, camera_prior) == 56);
-  CHECK(sizeof(dot_camera_result) == 480 && offsetof(dot_camera_result, masked_share) == 464 &&
-        offsetof(dot_camera_result, T_cur_prev) == 40 && offsetof(dot_camera_result, small_instances) == 472);
+  CHECK(sizeof(dot_camera_result) == 496 && offsetof(dot_camera_result, masked_share) == 464 &&
+        offsetof(dot_camera_result, T_cur_prev) == 40 && offsetof(dot_camera_result, small_instances) == 472 &&
+        offsetof(dot_camera_result, suspicion_figure) == 480 && offsetof(dot_camera_result, suspicion) == 488);
   CHECK(sizeof(dot_object) == 816 && offsetof(dot_object, p_moving) == 64 && offsetof(dot_object, T_o) == 72);
   CHECK(offsetof(dot_object, fused_velocity) == 608 && offsetof(dot_object, angular_velocity) == 704);
   CHECK(sizeof(dot_exclusion_policy) == 16);
@@ -136,7 +137,7 @@ static void test_older_struct(void) {
       at_size.struct_size = size;
       accepted += dot_get_camera(tracker, &at_size) == DOT_OK;
     }
-    CHECK(accepted == 3); /* the sizes that were published, and none between */
+    CHECK(accepted == 4); /* the sizes that were published, and none between */
   }
   {
     uint32_t size, accepted = 0, objects = 0;
@@ -157,6 +158,10 @@ static void test_older_struct(void) {
   CHECK(camera.small_instances == 77);
   camera.struct_size -= 1;
   CHECK_INVALID(tracker, dot_get_camera(tracker, &camera), "out.struct_size");
+  camera.struct_size = offsetof(dot_camera_result, suspicion_figure);
+  camera.suspicion_figure = 77;
+  CHECK(dot_get_camera(tracker, &camera) == DOT_OK);
+  CHECK(camera.suspicion_figure == 77 && camera.reserved == 0);
   camera.struct_size = sizeof camera;
   CHECK(dot_get_camera(tracker, &camera) == DOT_OK);
   CHECK(camera.masked_share > 0 && camera.masked_share < 1);

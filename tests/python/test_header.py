@@ -56,7 +56,7 @@ def test_arguments(kind, name):
 
 @pytest.mark.parametrize("kind, prefix", [(dot_slam.State, "STATE"), (dot_slam.Reason, "REASON"),
                                           (dot_slam.CameraStatus, "CAMERA"), (dot_slam.DepthSource, "DEPTH"),
-                                          (dot_slam.Classifier, "CLASSIFIER")])
+                                          (dot_slam.Classifier, "CLASSIFIER"), (dot_slam.Suspicion, "SUSPICION")])
 def test_enums(kind, prefix):
     assert {item.name: int(item) for item in kind} == enum(prefix)
 

@@ -122,6 +122,17 @@ enum {
   DOT_CAMERA_LOST = 4               ///< T_cur_prev is a guess likewise
 };
 
+/// What may be wrong with the input, with its figure.
+enum {
+  DOT_SUSPICION_NONE = 0,                ///< nothing; figure 0
+  DOT_SUSPICION_IMPLAUSIBLE_TIMES = 1,   ///< steps between frames that no camera has; the last one, seconds
+  DOT_SUSPICION_REPEATED_IMAGES = 2,     ///< images of the frame before; share of the last frames, 0 to 1
+  DOT_SUSPICION_TOO_LITTLE_DEPTH = 3,    ///< too few points to track; share of the pixels with depth, 0 to 1
+  DOT_SUSPICION_TOO_LITTLE_TEXTURE = 4,  ///< too few points to track; share of the last frames, 0 to 1
+  DOT_SUSPICION_IMPLAUSIBLE_DEPTH = 5,   ///< its unit may be wrong; the typical depth, metres
+  DOT_SUSPICION_DEPTH_OUT_OF_STEP = 6    ///< depth of another frame; frames by which it is late, negative: early
+};
+
 /// dot_options.classifier.
 enum {
   DOT_CLASSIFIER_VELOCITY = 0,        ///< belief over the velocities of the object's points
@@ -273,6 +284,9 @@ typedef struct dot_camera_result {
   double masked_share;         ///< 0 to 1: share of the image that the default policy excludes, without dilation
   int32_t small_instances;     ///< masks of this frame without a track, too small to start one (mask.min_pixels)
   uint32_t reserved;           ///< 0
+  double suspicion_figure;     ///< size of what may be wrong, see DOT_SUSPICION_
+  uint32_t suspicion;          ///< DOT_SUSPICION_: what may be wrong with the last frames' images, depth and times
+  uint32_t reserved2;          ///< 0
 } dot_camera_result;
 
 /// One object in one frame.
@@ -354,7 +368,7 @@ typedef void (*dot_log_function)(void* user, uint32_t level, const char* text);
   { sizeof(dot_frame), 0, 0, 0, 0, 0, 0, 0, 0 }
 /// Initial value of a dot_camera_result.
 #define DOT_CAMERA_RESULT_INIT \
-  { sizeof(dot_camera_result), 0, 0, 0, 0, 0, 0, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, 0 }
+  { sizeof(dot_camera_result), 0, 0, 0, 0, 0, 0, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 /// Initial value of a dot_object.
 #define DOT_OBJECT_INIT                                                                                             \
   {                                                                                                                 \

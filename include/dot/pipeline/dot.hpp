@@ -9,6 +9,7 @@
 #include "dot/camera/depth_noise.hpp"
 #include "dot/camera/pinhole.hpp"
 #include "dot/camera_motion/camera_tracker.hpp"
+#include "dot/diagnosis/watch.hpp"
 #include "dot/discovery/discovery.hpp"
 #include "dot/frame/frame_store.hpp"
 #include "dot/kernel/portable_kernels.hpp"
@@ -126,6 +127,7 @@ class Dot {
   Labeller<Camera, Noise> labeller_;
   LateMasks<Camera, Classifier, Noise, Aligner> late_masks_;
 
+  Watch watch_;
   std::vector<ObjectResult> objects_;
   Result result_;
   Stopwatch stopwatch_;

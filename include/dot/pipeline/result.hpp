@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "dot/camera_motion/status.hpp"
+#include "dot/diagnosis/diagnosis.hpp"
 #include "dot/image/span.hpp"
 #include "dot/image/view.hpp"
 #include "dot/motion/reason.hpp"
@@ -97,6 +98,7 @@ struct Result {
   double interval = 0;            ///< seconds since the previous frame, 0 if there is no reference
   bool too_little_depth = false;  ///< the frame has too few background points for a reference; older ones are kept
   double disparity_bias_px = 0;   ///< for stereo: RMS over the image of the learnt bias that was subtracted
+  Diagnosis diagnosis;            ///< what may be wrong with the last frames' images, depth and times
   CameraResult camera;            ///< the camera's part
   ImageView<const std::uint8_t> labels;  ///< State of each pixel
   ImageView<const std::uint32_t> ids;    ///< track id of each pixel, 0 = background

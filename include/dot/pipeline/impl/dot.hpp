@@ -94,6 +94,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   ends(Stage::Label);
 
   remember(camera_step);
+  const double step = previous_ ? cur.timestamp - previous_->timestamp : 0;
+  result_.diagnosis = watch_.look(cur, depth_noise, step, options_.max_gap, result_.too_little_depth);
   ends(Stage::Points);
   write_result(frame, camera_step);
   late_masks_.await(current_, camera_step, segmented, options_.mask, tracks_.all());
@@ -171,6 +173,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::reset() noexcept {
   camera_tracker_.forget();
   discovery_.clear();
   late_masks_.clear();
+  watch_.forget();
   labeller_.forget();
   tracks_.clear();
   if constexpr (std::is_same_v<Noise, DepthNoise>)

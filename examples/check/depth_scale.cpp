@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "depth_units.hpp"
+#include "measures.hpp"
+#include "words.hpp"
+
+/// @file
+/// The scale of the depth, from the steps in which a stereo matcher or a structured-light camera measures disparity:
+/// 1/16 or 1/8 of a pixel. Inverse depth then takes values at equal distances, and their distance times the focal
+/// length, the baseline and the depth's unit is that step. Nothing in the pictures is needed for it.
+
+namespace check {
+namespace {
+
+constexpr std::size_t bins = std::size_t{1} << 17;
+constexpr double least_samples = 3000;
+constexpr std::array<double, 2> steps_per_pixel{16, 8};
+
+/// Where the spectrum of the disparities has a line.
+struct Comb {
+  double per_pixel = 0;  ///< disparities a pixel, by the stated focal length, baseline and unit
+  double coherence = 0;  ///< 1: all of them lie on it
+};
+
+/// The strongest line near `per_pixel`.
+/// @param usable disparities that are stored finely enough to show it.
+std::optional<Comb> line_near(const Samples& samples, double per_pixel, double fx_baseline) {
+  constexpr double width = 1.22;   // the lines that are looked for, over and under
+  constexpr double finely = 0.25;  // of a step: the rounding of the file
+  std::vector<float> disparities;
+  double largest = 0;
+  for (const Sample& frame : samples.frames) {
+    for (int y = 0; y < frame.depth.rows; y += 2) {
+      const auto* raw = frame.depth.ptr<std::uint16_t>(y);
+      for (int x = 0; x < frame.depth.cols; ++x) {
+        if (raw[x] == 0 || raw[x] == 65535) continue;
+        const double disparity = fx_baseline * samples.recording.depth_units_per_metre / raw[x];
+        if (disparity / raw[x] * per_pixel * width > finely) continue;
+        disparities.push_back(static_cast<float>(disparity));
+        largest = std::max(largest, disparity);
+      }
+    }
+  }
+  if (static_cast<double>(disparities.size()) < least_samples) return std::nullopt;
+  cv::Mat histogram = cv::Mat::zeros(1, static_cast<int>(bins), CV_32F);
+  const double span = 1.01 * largest;
+  for (const float d : disparities)
+    histogram.at<float>(static_cast<int>(static_cast<double>(d) / span * static_cast<double>(bins))) += 1;
+  cv::Mat spectrum;
+  cv::dft(histogram, spectrum, cv::DFT_COMPLEX_OUTPUT);
+  Comb best;
+  const auto last = std::min<double>(per_pixel * width * span, static_cast<double>(bins) / 2 - 1);
+  for (int k = static_cast<int>(per_pixel / width * span); k <= static_cast<int>(last); ++k) {
+    const auto c = spectrum.at<cv::Vec2f>(k);
+    const double coherence = std::hypot(c[0], c[1]) / static_cast<double>(disparities.size());
+    if (coherence > best.coherence) best = {k / span, coherence};
+  }
+  return best;
+}
+
+Finding unit_fault(double ratio) {
+  const DepthUnit& unit = nearest_unit(ratio);
+  return faulty("depth-unit", ratio, "times too far",
+                "All depths are " + number(ratio, 3) + " times too far: they look like " + unit.name + ".",
+                "Divide by the unit that the depth has: " + std::string(unit.name) +
+                    ". Speeds and v0 are in metres, so that a wrong unit makes wrong decisions.");
+}
+
+Findings judge(const Comb& comb) {
+  constexpr double most = 0.012;          // of the product: up to 0.005 on recordings without the fault
+  constexpr double of_calibration = 0.2;  // more is no error of a calibration
+  constexpr double of_unit = 0.06;
+  double error = 10;  // ln of the true product over the stated one
+  for (const double steps : steps_per_pixel)
+    if (const double e = std::log(comb.per_pixel / steps); std::abs(e) < std::abs(error)) error = e;
+  if (std::abs(error) > of_calibration) {
+    for (const double steps : steps_per_pixel) {
+      const double ratio = comb.per_pixel / steps;
+      if (std::abs(std::log(ratio / nearest_unit(ratio).too_far)) < of_unit)
+        return {unit_fault(ratio), unknown("focal-baseline", "The unit of the depth is wrong.")};
+    }
+    return {unknown("depth-unit", "The depth's steps are of no known unit."),
+            unknown("focal-baseline", "The depth's steps are those of no known camera.")};
+  }
+  const Finding unit = fine("depth-unit", 1, "times too far", "The depth's steps are those of its unit.");
+  const double percent = 100 * (std::exp(-error) - 1);
+  if (std::abs(error) <= most)
+    return {unit, fine("focal-baseline", percent, "%",
+                       "Focal length times baseline fits the depth within " + number(std::abs(percent), 1) + " %.")};
+  return {unit, faulty("focal-baseline", percent, "%",
+                       "Focal length times baseline is " + number(std::abs(percent), 1) + " % " +
+                           (percent > 0 ? "more" : "less") + " than that with which the depth was computed.",
+                       "Use the calibration of the rectified images from which the depth was made; look whether the "
+                       "images were scaled or cropped since.")};
+}
+
+/// Without such steps only what no camera measures can be told.
+Findings judge_plausibility(const Samples& samples) {
+  constexpr double farthest = 150, nearest = 0.1;  // metres, of the median
+  std::vector<float> depths;
+  for (const Sample& frame : samples.frames) {
+    const cv::Mat z = metres(samples, frame);
+    for (int y = 0; y < z.rows; y += 8)
+      for (int x = 0; x < z.cols; x += 8)
+        if (z.at<float>(y, x) > 0) depths.push_back(z.at<float>(y, x));
+  }
+  const Finding no_product = unknown("focal-baseline", "The depth shows no steps, and there is no pair of images.");
+  if (depths.empty()) return {unknown("depth-unit", "There is no depth."), no_product};
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  const auto median = static_cast<double>(*middle);
+  const std::string said = "Half of the depths are under " + number(median, 2) + " m.";
+  if (median > farthest || median < nearest)
+    return {faulty("depth-unit", median, "m", said + " That is no distance of a scene.",
+                   "State the unit of the depth: how many of its values make a metre."),
+            no_product};
+  return {fine("depth-unit", median, "m", said + " Its unit was not measured: the depth shows no steps."), no_product};
+}
+
+}  // namespace
+
+Findings check_depth_scale(const Samples& samples) {
+  const dot::Intrinsics& camera = samples.recording.intrinsics;
+  const double fx_baseline = camera.fx * camera.baseline;
+  if (samples.depth_from_pair)
+    return {fine("depth-unit", 1, "times too far", "The depth is computed from the pair of images, in metres."),
+            unknown("focal-baseline", "The depth is computed with them, and fits whatever they are.")};
+  if (!(fx_baseline > 0)) return judge_plausibility(samples);
+  // From the widest steps on: multiples of a line are lines, too.
+  std::vector<double> places;
+  for (const double steps : steps_per_pixel) {
+    places.push_back(steps);
+    for (const DepthUnit& unit : depth_units) places.push_back(steps * unit.too_far);
+  }
+  std::sort(places.begin(), places.end());
+  constexpr double clear = 0.3;
+  for (const double place : places)
+    if (const auto comb = line_near(samples, place, fx_baseline); comb && comb->coherence > clear) return judge(*comb);
+  return judge_plausibility(samples);
+}
+
+}  // namespace check

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace dot {
+
+/// What may be wrong with the input, the gravest first. With each its figure.
+enum class Suspicion : std::uint8_t {
+  None,              ///< nothing; figure 0
+  ImplausibleTimes,  ///< steps between frames that no camera has; the last one, seconds
+  RepeatedImages,    ///< images that are those of the frame before; share of the last frames, 0 to 1
+  TooLittleDepth,    ///< share of the pixels with depth, 0 to 1, if there are too few points to track
+  TooLittleTexture,  ///< share of frames with too few points to track though they have depth, 0 to 1
+  ImplausibleDepth,  ///< depths that no scene has, so that their unit may be wrong; the typical one, metres
+  DepthOutOfStep     ///< depth that is of another frame than the image; frames by which it is late, negative: early
+};
+
+/// Name of a suspicion, lower case with underscores; empty for None.
+constexpr const char* to_string(Suspicion suspicion) {
+  constexpr const char* names[] = {"",
+                                   "implausible_times",
+                                   "repeated_images",
+                                   "too_little_depth",
+                                   "too_little_texture",
+                                   "implausible_depth",
+                                   "depth_out_of_step"};
+  return suspicion <= Suspicion::DepthOutOfStep ? names[static_cast<int>(suspicion)] : "?";
+}
+
+/// What the tracker suspects of its input. It says so of the last frames, and takes it back when they are better.
+struct Diagnosis {
+  Suspicion reason = Suspicion::None;
+  double figure = 0;
+};
+
+}  // namespace dot

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "dot/diagnosis/depth_step.hpp"
+#include "dot/diagnosis/diagnosis.hpp"
+#include "dot/frame/frame_data.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Notices input that no tracker can work with. It looks at a few rows of what `track` has computed.
+class Watch {
+ public:
+  /// @param noise of the depth. @param seconds since the frame before, 0 for the first. @param max_gap of the frames,
+  /// seconds. @param too_few_points for the next frame's camera motion.
+  template <typename Noise>
+  Diagnosis look(const FrameData& frame, const Noise& noise, double seconds, double max_gap, bool too_few_points) {
+    const std::size_t level = frame.pyramid.size() > 1 ? 1 : 0;
+    const bool first = !(seconds > 0);
+    if (first || seconds > max_gap) step_.clear();
+    const double sigma = step_.measured() > 0 ? noise.prior_pixel_sigma(step_.mean_inverse_depth()) : 0;
+    step_.add(frame.pyramid.levels[level], frame.depth.levels[level], static_cast<float>(kNoiseOfEnds * sigma));
+    gaps_.add(!first && (seconds > max_gap || seconds < kShortestStep));
+    repeats_.add(step_.repeated());
+    few_points_.add(too_few_points);
+
+    if (gaps_.share() > 0.5) return {Suspicion::ImplausibleTimes, seconds};
+    if (repeats_.share() >= kRepeats && repeats_.share() < kStanding)
+      return {Suspicion::RepeatedImages, repeats_.share()};
+    const double measured =
+        step_.pixels() > 0 ? static_cast<double>(step_.measured()) / static_cast<double>(step_.pixels()) : 1;
+    if (few_points_.share() > 0.5) {
+      if (measured < kLittleDepth) return {Suspicion::TooLittleDepth, measured};
+      return {Suspicion::TooLittleTexture, few_points_.share()};
+    }
+    const double depth = step_.mean_inverse_depth() > 0 ? 1 / step_.mean_inverse_depth() : 1;
+    if (depth > kFarthest || depth < kNearest) return {Suspicion::ImplausibleDepth, depth};
+    if (const int lag = step_.lag(); lag != 0) return {Suspicion::DepthOutOfStep, static_cast<double>(lag)};
+    return {};
+  }
+
+  void forget() noexcept {
+    step_.clear();
+    gaps_ = repeats_ = few_points_ = {};
+  }
+
+ private:
+  /// Share of the last 16 frames of which something is true, 0 before the eighth.
+  struct Share {
+    std::uint32_t bits = 0;
+    int count = 0;
+
+    void add(bool value) {
+      constexpr int kFrames = 16;
+      bits = (bits << 1 | (value ? 1u : 0u)) & ((1u << kFrames) - 1);
+      count = std::min(count + 1, kFrames);
+    }
+    double share() const {
+      int ones = 0;
+      for (std::uint32_t b = bits; b != 0; b &= b - 1) ++ones;
+      constexpr int kEnough = 8;
+      return count < kEnough ? 0 : static_cast<double>(ones) / count;
+    }
+  };
+
+  static constexpr double kNoiseOfEnds = 8;      ///< sigmas of the depth: smaller steps are no ends of things
+  static constexpr double kShortestStep = 5e-4;  ///< seconds
+  static constexpr double kRepeats = 0.12;       ///< share of repeated images that disturbs
+  static constexpr double kStanding = 0.9;       ///< more: a picture without noise in which nothing moves
+  static constexpr double kLittleDepth = 0.05;   ///< share of the pixels
+  static constexpr double kFarthest = 150, kNearest = 0.1;  ///< metres, harmonic mean
+
+  DepthStep step_;
+  Share gaps_, repeats_, few_points_;
+};
+
+DOT_END_NAMESPACE

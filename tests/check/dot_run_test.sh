@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+#
+# dot_run --check as a program: its status and outputs, on the sample, with faults put into it, and on bad input.
+#
+# usage: dot_run_test.sh DOT_RUN SEQUENCE
+set -Eeuo pipefail
+readonly dot_run=$1 sample=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+fail() {
+  printf 'FAILED: %s\n' "$*" >&2
+  exit 1
+}
+
+# expect STATUS TEXT ARGUMENT...: the program ends so and says so.
+expect() {
+  local status=0 said
+  said=$("$dot_run" "${@:3}" 2>&1) || status=$?
+  [ "$status" -eq "$1" ] || fail "status $status instead of $1 for ${*:3}: $said"
+  grep -qF -- "$2" <<<"$said" || fail "no '$2' for ${*:3}: $said"
+}
+
+expect 0 'no fault found' "$sample" --check
+expect 0 '"faults": 0' "$sample" --check --json --html "$work/check.html"
+grep -q '</html>' "$work/check.html" || fail "the page is not complete"
+
+cp -r "$sample" "$work/seq"
+chmod -R u+w "$work/seq"
+awk '{ printf "%.3f\n", 1000 * $1 }' "$sample/times.txt" >"$work/seq/times.txt"
+expect 3 'milliseconds' "$work/seq" --check
+awk '{ printf "%.0f\n", 1e9 * (1700000000 + $1) }' "$sample/times.txt" >"$work/seq/times.txt"
+expect 3 'nanoseconds' "$work/seq" --check # which a run refuses to read
+
+: >"$work/seq/depth/000003.png"
+expect 1 '000003.png' "$work/seq" --check
+rm "$work/seq/depth/000003.png"
+expect 1 '000003.png' "$work/seq" --check
+expect 1 'no such' "$work/nothing" --check
+expect 2 '--html needs --check' "$sample" --html "$work/a.html"
+expect 2 '--html' "$sample" --check --html "$work/a.txt"

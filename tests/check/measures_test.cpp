@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+
+// Each fault at a size that is known, in a small made scene; and the scene without it.
+
+#include "check/measures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <opencv2/imgproc.hpp>
+
+#include "made_samples.hpp"
+
+namespace {
+
+using check::Finding;
+using check::Samples;
+using check::Verdict;
+using check_test::find;
+using check_test::made_samples;
+
+void expect_fault(const Finding& finding, double figure, double tolerance) {
+  EXPECT_EQ(finding.verdict, Verdict::Fault) << finding.fault << ": " << finding.words;
+  EXPECT_NEAR(finding.figure, figure, tolerance) << finding.words;
+  EXPECT_FALSE(finding.words.empty());
+  EXPECT_FALSE(finding.advice.empty());
+}
+
+void expect_fine(const Finding& finding) {
+  EXPECT_EQ(finding.verdict, Verdict::Fine) << finding.fault << ": " << finding.words;
+  EXPECT_TRUE(finding.advice.empty());
+}
+
+TEST(CheckClock, NamesTheUnit) {
+  for (const double per_second : {1e3, 1e6, 1e9}) {
+    Samples samples = made_samples();
+    for (auto& entry : samples.recording.entries) entry.timestamp *= per_second;
+    expect_fault(find(check::check_clock(samples), "time-unit"), per_second, 0);
+  }
+  expect_fine(find(check::check_clock(made_samples()), "time-unit"));
+}
+
+TEST(CheckClock, CountsMissingFrames) {
+  Samples samples = made_samples();
+  auto& entries = samples.recording.entries;
+  for (std::size_t i = 5; i < entries.size(); ++i) entries[i].timestamp += 0.2;
+  for (std::size_t i = 12; i < entries.size(); ++i) entries[i].timestamp += 0.1;
+  expect_fault(find(check::check_clock(samples), "frames-dropped"), 3, 0);
+  expect_fine(find(check::check_clock(made_samples()), "frames-dropped"));
+}
+
+TEST(CheckClock, CountsFramesOutOfOrder) {
+  Samples samples = made_samples();
+  std::swap(samples.recording.entries[4].timestamp, samples.recording.entries[5].timestamp);
+  expect_fault(find(check::check_clock(samples), "time-order"), 1, 0);
+}
+
+TEST(CheckClock, OneFrameHasNoClock) {
+  Samples samples = made_samples(1);
+  EXPECT_EQ(find(check::check_clock(samples), "time-unit").verdict, Verdict::Unknown);
+}
+
+TEST(CheckRepeats, CountsImagesAndDepth) {
+  Samples samples = made_samples(20);
+  for (const std::size_t i : {4u, 9u}) samples.frames[i].grey = samples.frames[i - 1].grey;
+  for (const std::size_t i : {4u, 9u, 13u}) samples.frames[i].depth = samples.frames[i - 1].depth;
+  expect_fault(find(check::check_repeats(samples), "images-repeated"), 10, 0.01);
+  expect_fault(find(check::check_repeats(samples), "depth-repeated"), 5, 0.01);  // not those that come with the image
+  expect_fine(find(check::check_repeats(made_samples()), "images-repeated"));
+  expect_fine(find(check::check_repeats(made_samples()), "depth-repeated"));
+}
+
+TEST(CheckRegistration, FindsTheLag) {
+  for (const int lag : {-2, -1, 1, 2}) {
+    Samples samples = made_samples();
+    const int count = static_cast<int>(samples.frames.size());
+    const Samples clean = made_samples();
+    for (int i = 0; i < count; ++i)
+      samples.frames[static_cast<std::size_t>(i)].depth =
+          clean.frames[static_cast<std::size_t>(std::clamp(i - lag, 0, count - 1))].depth;
+    expect_fault(find(check::check_registration(samples), "depth-lag"), lag, 0);
+  }
+  expect_fine(find(check::check_registration(made_samples()), "depth-lag"));
+}
+
+TEST(CheckRegistration, FindsTheOffset) {
+  for (const int pixels : {4, 10, -6}) {
+    Samples samples = made_samples();
+    for (auto& frame : samples.frames) {
+      cv::Mat moved;
+      const cv::Matx23d by(1, 0, pixels, 0, 1, 0);
+      cv::warpAffine(frame.depth, moved, by, frame.depth.size(), cv::INTER_NEAREST, cv::BORDER_REPLICATE);
+      frame.depth = moved;
+    }
+    expect_fault(find(check::check_registration(samples), "depth-offset"), std::abs(pixels), 1.5);
+  }
+  expect_fine(find(check::check_registration(made_samples()), "depth-offset"));
+}
+
+TEST(CheckRegistration, AnotherSizeIsAFaultOfItsOwn) {
+  Samples samples = made_samples();
+  for (auto& frame : samples.frames) cv::resize(frame.depth, frame.depth, {}, 0.5, 0.5, cv::INTER_NEAREST);
+  expect_fault(find(check::check_registration(samples), "depth-size"), 50, 0);
+  EXPECT_EQ(find(check::check_registration(samples), "depth-lag").verdict, Verdict::Unknown);
+}
+
+/// A slope whose disparities are whole sixteenths of a pixel, stored with `per_metre` units.
+Samples with_steps(double per_metre, double stated_focal_length) {
+  Samples samples = made_samples(4);
+  const double fx_baseline = 300 * 0.2;
+  samples.recording.intrinsics.fx = stated_focal_length;
+  samples.recording.intrinsics.baseline = 0.2;
+  for (auto& frame : samples.frames)
+    for (int y = 0; y < frame.depth.rows; ++y)
+      for (int x = 0; x < frame.depth.cols; ++x) {
+        const double disparity = (48 + (x + 3 * y) % 250) / 16.0;
+        frame.depth.at<std::uint16_t>(y, x) = cv::saturate_cast<std::uint16_t>(fx_baseline / disparity * per_metre);
+      }
+  return samples;
+}
+
+TEST(CheckDepthScale, NamesTheUnit) {
+  for (const double per_metre : {100.0, 1000.0})
+    expect_fault(find(check::check_depth_scale(with_steps(per_metre, 300)), "depth-unit"), per_metre / 256,
+                 0.02 * per_metre / 256);
+  expect_fine(find(check::check_depth_scale(with_steps(256, 300)), "depth-unit"));
+}
+
+TEST(CheckDepthScale, MeasuresFocalLengthTimesBaseline) {
+  for (const double percent : {-5.0, 3.0, 10.0})
+    expect_fault(find(check::check_depth_scale(with_steps(256, 300 * (1 + percent / 100))), "focal-baseline"), percent,
+                 0.3);
+  expect_fine(find(check::check_depth_scale(with_steps(256, 300)), "focal-baseline"));
+}
+
+TEST(CheckAmounts, MeasuresDepthAndContrast) {
+  Samples samples = made_samples();
+  for (auto& frame : samples.frames) {
+    frame.depth.rowRange(8, frame.depth.rows) = cv::Scalar(0);  // 8 of 160 rows are left
+    frame.grey.convertTo(frame.grey, CV_8U, 0.05, 100);
+  }
+  expect_fault(find(check::check_amounts(samples), "depth-sparse"), 5, 0.01);
+  EXPECT_EQ(find(check::check_amounts(samples), "texture-low").verdict, Verdict::Fault);
+  samples.recording.depth_source = dot::DepthSource::Lidar;
+  expect_fine(find(check::check_amounts(samples), "depth-sparse"));
+  expect_fine(find(check::check_amounts(made_samples()), "depth-sparse"));
+  expect_fine(find(check::check_amounts(made_samples()), "texture-low"));
+}
+
+TEST(CheckMasks, NoMasksAreNoFault) {
+  Samples samples = made_samples();
+  for (auto& frame : samples.frames) frame.ids.release();
+  EXPECT_EQ(find(check::check_masks(samples), "masks-values").verdict, Verdict::Unknown);
+}
+
+TEST(CheckMasks, FindsSizeValuesAndLag) {
+  const Samples clean = made_samples();
+  for (const char* const name : {"masks-size", "masks-values", "masks-lag"})
+    expect_fine(find(check::check_masks(clean), name));
+
+  Samples small = made_samples();
+  for (auto& frame : small.frames) cv::resize(frame.ids, frame.ids, {}, 0.5, 0.5, cv::INTER_NEAREST);
+  expect_fault(find(check::check_masks(small), "masks-size"), 50, 0);
+
+  Samples classes = made_samples();
+  for (auto& frame : classes.frames) cv::min(frame.ids, 1, frame.ids);
+  expect_fault(find(check::check_masks(classes), "masks-values"), 3, 0.5);
+
+  Samples probabilities = made_samples();
+  for (auto& frame : probabilities.frames) {
+    frame.ids = (frame.ids > 0);
+    cv::GaussianBlur(frame.ids, frame.ids, {}, 4);
+  }
+  EXPECT_EQ(find(check::check_masks(probabilities), "masks-values").verdict, Verdict::Fault);
+
+  Samples late = made_samples();
+  for (std::size_t i = 1; i < late.frames.size(); ++i) late.frames[i].ids = clean.frames[i - 1].ids;
+  expect_fault(find(check::check_masks(late), "masks-lag"), 1, 0);
+}
+
+TEST(CheckExposure, MeasuresJumpsAndBands) {
+  Samples jumps = made_samples();
+  for (std::size_t i = 0; i < jumps.frames.size(); ++i)
+    jumps.frames[i].grey.convertTo(jumps.frames[i].grey, CV_8U, i % 6 < 3 ? 0.7 : 0.7 * 1.3);
+  expect_fault(find(check::check_exposure(jumps), "exposure-jumps"), 30, 3);
+
+  Samples bands = made_samples();
+  for (std::size_t i = 0; i < bands.frames.size(); ++i)
+    for (int y = 0; y < check_test::height; ++y) {
+      const double phase = 2 * 3.14159265358979 * (3.0 * y / check_test::height + 0.3 * static_cast<double>(i));
+      bands.frames[i].grey.row(y).convertTo(bands.frames[i].grey.row(y), CV_8U, 0.8 * (1 + 0.1 * std::sin(phase)));
+    }
+  expect_fault(find(check::check_exposure(bands), "brightness-bands"), 10, 1.5);
+
+  expect_fine(find(check::check_exposure(made_samples()), "exposure-jumps"));
+  expect_fine(find(check::check_exposure(made_samples()), "brightness-bands"));
+}
+
+TEST(CheckBlur, MeasuresItsLength) {
+  for (const int length : {7, 13}) {
+    Samples samples = made_samples();
+    for (auto& frame : samples.frames) cv::blur(frame.grey, frame.grey, {length, 1});
+    expect_fault(find(check::check_blur(samples), "motion-blur"), length, 1);
+  }
+  expect_fine(find(check::check_blur(made_samples()), "motion-blur"));
+}
+
+}  // namespace

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/diagnosis/watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "dot/camera/depth_noise.hpp"
+
+namespace {
+
+using dot::Diagnosis;
+using dot::Suspicion;
+
+constexpr int kWidth = 320, kHeight = 240;
+
+/// Bars 3 m away before a wall 10 m away; all move to the left.
+dot::FrameData scene(int frame, double scale = 1) {
+  dot::FrameData out;
+  out.pyramid.levels.resize(1);
+  out.depth.levels.resize(1);
+  auto& image = out.pyramid.levels[0];
+  auto& inverse_depth = out.depth.levels[0];
+  image.resize(kWidth, kHeight);
+  inverse_depth.resize(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const int place = x + 7 * frame, bar = (place + 13 * (y / 24)) % 80;
+      const bool near = bar < 30;
+      const int texture = (place * 2654435761u + static_cast<unsigned>(y) * 40503u) >> 16 & 7;
+      image(x, y) = static_cast<std::uint8_t>((near ? 160 : 80) + texture);
+      inverse_depth(x, y) = static_cast<float>((near ? 1.0 / 3 : 0.1) / scale);
+    }
+  return out;
+}
+
+struct Setting {
+  double seconds = 0.1;
+  int depth_late = 0;
+  int repeat_every = 0;
+  double scale = 1;
+  bool few_points = false;
+};
+
+Diagnosis look(const Setting& setting, int frames = 40) {
+  dot::Watch watch;
+  const dot::DepthNoise noise(dot::DepthNoiseSettings{}, dot::Intrinsics{300, 300, 160, 120, kWidth, kHeight, 0});
+  Diagnosis last;
+  for (int i = 0; i < frames; ++i) {
+    const bool again = setting.repeat_every > 0 && i % setting.repeat_every == 1;
+    dot::FrameData frame = scene(100 + (again ? i - 1 : i), setting.scale);
+    frame.depth.levels[0] = scene(100 + (again ? i - 1 : i) - setting.depth_late, setting.scale).depth.levels[0];
+    last = watch.look(frame, noise, i > 0 ? setting.seconds : 0, 1, setting.few_points);
+  }
+  return last;
+}
+
+TEST(Watch, SuspectsNothingOfGoodInput) {
+  EXPECT_EQ(look({}).reason, Suspicion::None);
+  EXPECT_EQ(look({}).figure, 0);
+}
+
+TEST(Watch, NoticesDepthOfAnotherFrame) {
+  for (const int late : {-2, -1, 1, 2}) {
+    Setting setting;
+    setting.depth_late = late;
+    EXPECT_EQ(look(setting).reason, Suspicion::DepthOutOfStep) << late;
+    EXPECT_EQ(look(setting).figure, late);
+  }
+}
+
+TEST(Watch, NoticesTimesThatAreNoSeconds) {
+  Setting setting;
+  setting.seconds = 100;
+  EXPECT_EQ(look(setting).reason, Suspicion::ImplausibleTimes);
+  EXPECT_EQ(look(setting).figure, 100);
+  setting.seconds = 1e-4;
+  EXPECT_EQ(look(setting).reason, Suspicion::ImplausibleTimes);
+}
+
+TEST(Watch, NoticesRepeatedImages) {
+  Setting setting;
+  setting.repeat_every = 4;
+  EXPECT_EQ(look(setting).reason, Suspicion::RepeatedImages);
+  EXPECT_NEAR(look(setting).figure, 0.25, 0.07);
+}
+
+TEST(Watch, NoticesDepthOfAnotherUnit) {
+  Setting setting;
+  setting.scale = 100;
+  EXPECT_EQ(look(setting).reason, Suspicion::ImplausibleDepth);
+  EXPECT_GT(look(setting).figure, 150);
+}
+
+TEST(Watch, TellsLittleTextureFromLittleDepth) {
+  Setting setting;
+  setting.few_points = true;
+  EXPECT_EQ(look(setting).reason, Suspicion::TooLittleTexture);
+  EXPECT_EQ(look(setting).figure, 1);
+}
+
+TEST(Watch, ForgetsOnRequest) {
+  dot::Watch watch;
+  const dot::DepthNoise noise(dot::DepthNoiseSettings{}, dot::Intrinsics{300, 300, 160, 120, kWidth, kHeight, 0});
+  for (int i = 0; i < 20; ++i) watch.look(scene(i), noise, i > 0 ? 100 : 0, 1, false);
+  EXPECT_EQ(watch.look(scene(20), noise, 100, 1, false).reason, Suspicion::ImplausibleTimes);
+  watch.forget();
+  EXPECT_EQ(watch.look(scene(21), noise, 0, 1, false).reason, Suspicion::None);
+}
+
+TEST(Watch, TakesImagesTooSmallToTell) {
+  dot::FrameData small;
+  small.pyramid.levels.resize(1);
+  small.depth.levels.resize(1);
+  small.pyramid.levels[0].resize(8, 8);
+  small.depth.levels[0].resize(8, 8);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) small.pyramid.levels[0](x, y) = 100, small.depth.levels[0](x, y) = 0.5f;
+  dot::Watch watch;
+  const dot::DepthNoise noise(dot::DepthNoiseSettings{}, dot::Intrinsics{8, 8, 4, 4, 8, 8, 0});
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(watch.look(small, noise, i > 0 ? 0.1 : 0, 1, false).reason, Suspicion::None);
+}
+
+TEST(Suspicion, HasNames) {
+  EXPECT_STREQ(dot::to_string(Suspicion::None), "");
+  EXPECT_STREQ(dot::to_string(Suspicion::DepthOutOfStep), "depth_out_of_step");
+}
+
+}  // namespace

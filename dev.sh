@@ -30,6 +30,7 @@ usage: ./dev.sh VERB
              "fuzz coverage" tells which lines the inputs in tests/fuzz/corpus reach
   abi        compare the C library's binary interface with capi/abi; "abi accept" writes the present one there
   soak       10,000 trackers made and destroyed under the address sanitizer
+  distro     demo and test in a bare chroot of another release, e.g. "distro trixie"; needs root, or sudo
   help       this text
 
 Debian and Ubuntu packages that are missing are installed (as root, or through sudo). Elsewhere install them yourself:
@@ -329,6 +330,10 @@ case $verb in
   fuzz) fuzz "$@" ;;
   abi) abi "$@" ;;
   soak) soak ;;
+  distro)
+    source scripts/distro.sh
+    distro "$@"
+    ;;
   versions) versions ;;
   help | -h | --help)
     usage

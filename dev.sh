@@ -28,7 +28,7 @@ usage: ./dev.sh VERB
              sanitizer
   fuzz       hand generated inputs to the C library and to the readers, 60 seconds each or "fuzz SECONDS";
              "fuzz coverage" tells which lines the inputs in tests/fuzz/corpus reach
-  abi        compare the C library's binary interface with capi/abi; "abi accept" writes the present one there
+  abi        compare the binary interfaces with capi/abi and src/abi; "abi accept" writes the present ones there
   soak       10,000 trackers made and destroyed under the address sanitizer
   distro     demo and test in a bare chroot of another release, e.g. "distro trixie"; needs root, or sudo
   help       this text
@@ -291,20 +291,22 @@ abi() {
   need_compiler
   need abigail-tools
   [ "$(uname -sm)" = 'Linux x86_64' ] || fail "capi/abi describes the library of 64-bit Linux on x86"
-  say "building the C library with debug information"
-  cmake -S "$root" -B "$root/build-abi" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DDOT_BUILD_TESTS=OFF -DDOT_BUILD_BENCH=OFF \
+  say "building the libraries with debug information"
+  cmake -S "$root" -B "$root/build-abi" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DDOT_BUILD_TESTS=ON -DDOT_BUILD_BENCH=OFF \
     -DDOT_BUILD_EXAMPLES=OFF -DCMAKE_CXX_FLAGS="-ffile-prefix-map=$root/=" >/dev/null
-  cmake --build "$root/build-abi" --parallel "$jobs" --target dot_capi
+  cmake --build "$root/build-abi" --parallel "$jobs" --target dot_capi test_core_shared test_core_layout
+  cmake -DNM=nm -DLIBRARY="$root/build-abi/tests/libtest_core_shared.so" -DLAYOUT="$root/build-abi/tests/test_core_layout" \
+    -DFOLDER="$root/src/abi" ${1:+"-D${1^^}=ON"} -P tests/cmake/core_interface.cmake || fail "see above"
   local library=$root/build-abi/capi/libdot_capi.so now=$root/build-abi/libdot_capi.abi
   abidw --exported-interfaces-only --headers-dir capi/include --drop-private-types --drop-undefined-syms --no-show-locs \
     --no-comp-dir-path --no-corpus-path --no-elf-needed --out-file "$now" "$library"
   if [ "${1:-}" = accept ]; then
     cp "$now" capi/abi/libdot_capi.abi
     nm -D --defined-only "$library" | sed -n 's/^[0-9a-f]* [^A] \([^@]*\).*/\1/p' | LC_ALL=C sort >capi/abi/exports.txt
-    git --no-pager diff --stat -- capi/abi
+    git --no-pager diff --stat -- capi/abi src/abi
   else
     abidiff capi/abi/libdot_capi.abi "$now" || fail "not the interface of capi/abi; if it is meant: ./dev.sh abi accept"
-    echo "the interface of capi/abi"
+    echo "the interfaces of capi/abi and src/abi"
   fi
 }
 

@@ -41,6 +41,12 @@ endif()
 list(TRANSFORM OpenCV_INCLUDE_DIRS PREPEND "-I" OUTPUT_VARIABLE opencv_includes)
 list(JOIN opencv_includes " " DOT_PC_OPENCV_CFLAGS)
 set(DOT_PC_OPENCV_LIBS "-L$<TARGET_FILE_DIR:opencv_core> -lopencv_imgproc -lopencv_core")
+# The standard library of C++, for a host in C that links the archive.
+set(cxx_libs ${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES})
+list(FILTER cxx_libs INCLUDE REGEX "^(stdc|c)\\+\\+$")
+list(REMOVE_DUPLICATES cxx_libs)
+list(TRANSFORM cxx_libs PREPEND "-l")
+list(JOIN cxx_libs " " DOT_PC_CXX_LIBS)
 
 function(dot_install_pkgconfig name)
   configure_file("${PROJECT_SOURCE_DIR}/cmake/${name}.pc.in" "${PROJECT_BINARY_DIR}/${name}.pc.in" @ONLY)

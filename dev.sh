@@ -31,6 +31,8 @@ usage: ./dev.sh VERB
   abi        compare the binary interfaces with capi/abi and src/abi; "abi accept" writes the present ones there
   soak       10,000 trackers made and destroyed under the address sanitizer
   distro     demo and test in a bare chroot of another release, e.g. "distro trixie"; needs root, or sudo
+  compilers  build and test the libraries and hosts with each GCC and clang that the system's packages have;
+             "compilers trixie" in a chroot; "compilers g++-11 clang++-15" with these alone
   help       this text
 
 Debian and Ubuntu packages that are missing are installed (as root, or through sudo). Elsewhere install them yourself:
@@ -335,6 +337,11 @@ case $verb in
   distro)
     source scripts/distro.sh
     distro "$@"
+    ;;
+  compilers)
+    source scripts/distro.sh
+    source scripts/compilers.sh
+    compilers "$@"
     ;;
   versions) versions ;;
   help | -h | --help)

@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The dot authors
 # SPDX-License-Identifier: MIT
+# shellcheck shell=bash disable=SC2154 # dev.sh and distro.sh define what is not defined here
 #
 # Other releases of Debian and Ubuntu, in a chroot. Sourced by dev.sh.
 #
@@ -62,7 +63,7 @@ git_as_root() { git -c "safe.directory=$root" -c "safe.directory=$root/.git" "$@
 
 # distro_bootstrap SUITE: fills base, once. What is left of an interrupted try is thrown away.
 distro_bootstrap() {
-  local suite=$1 folder=$chroots/$1 mirror security components=main keyring
+  local suite=$1 folder=$chroots/$1 mirror security components=main keyring script=
   need debootstrap debian-archive-keyring git
   command -v debootstrap >/dev/null || fail "debootstrap is missing"
   mkdir -p "$folder/packages/partial"
@@ -73,8 +74,8 @@ distro_bootstrap() {
   case $suite in
     jammy | noble)
       mirror=${DOT_MIRROR:-http://archive.ubuntu.com/ubuntu} security=$mirror components=main,universe
-      keyring=/usr/share/keyrings/ubuntu-archive-keyring.gpg
-      [ -f "$keyring" ] || fail "$keyring is missing, with which Ubuntu signs (Debian's package ubuntu-archive-keyring)"
+      keyring=$(ubuntu_keyring)
+      script=/usr/share/debootstrap/scripts/gutsy # of all newer ones; an old debootstrap lacks the links to it
       ;;
     *)
       mirror=${DOT_MIRROR:-http://deb.debian.org/debian} security=${mirror%/debian}/debian-security
@@ -84,13 +85,30 @@ distro_bootstrap() {
   say "bootstrapping $suite from $mirror"
   rm -rf --one-file-system "$folder/base.partial"
   unshare --mount --pid --fork --kill-child debootstrap --variant=minbase --components="$components" --keyring="$keyring" \
-    "$suite" "$folder/base.partial" "$mirror" >"$folder/debootstrap.log" 2>&1 \
+    "$suite" "$folder/base.partial" "$mirror" $script >"$folder/debootstrap.log" 2>&1 \
     || fail "debootstrap failed; see $folder/debootstrap.log"
   local line
   for line in "$mirror $suite" "$mirror $suite-updates" "$security $suite-security"; do
     echo "deb $line ${components/,/ }"
   done >"$folder/base.partial/etc/apt/sources.list"
   mv "$folder/base.partial" "$folder/base"
+}
+
+# ubuntu_keyring: the file of the keys that Ubuntu signs with; Debian 12 has no package of them, Debian 13 has.
+ubuntu_keyring() {
+  local keys=usr/share/keyrings/ubuntu-archive-keyring.gpg package
+  if [ -f "/$keys" ]; then
+    echo "/$keys"
+    return
+  fi
+  if [ ! -f "$chroots/keys/$keys" ]; then
+    [ -d "$chroots/trixie/base" ] || (distro_bootstrap trixie) >&2
+    in_chroot trixie base sh -c 'cd /tmp && apt-get -q download ubuntu-keyring' >&2 || fail "cannot get Ubuntu's keys from Debian 13"
+    package=$(echo "$chroots"/trixie/base/tmp/ubuntu-keyring_*.deb)
+    dpkg -x "$package" "$chroots/keys"
+    rm "$package"
+  fi
+  echo "$chroots/keys/$keys"
 }
 
 # in_chroot SUITE FOLDER COMMAND...: in that folder of the release. Interrupted, all that runs in there is killed.

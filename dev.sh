@@ -130,6 +130,7 @@ demo_network() {
 
 run_tests() {
   need python3-numpy python3-onnx python3-opencv python3-pytest python3-mypy python3-setuptools python3-wheel python3-pip python3-venv
+  need lintian pkg-config python3-jinja2 python3-yaml # for the tests of the packages
   compile all
   say "testing"
   ctest --test-dir "$build" --output-on-failure -j2 || fail "tests failed; what each of them printed is above"

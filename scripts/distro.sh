@@ -9,6 +9,7 @@
 # end: nothing has to be unmounted.
 
 readonly chroots=$root/build/distro
+exec 8>&2 # where the user reads
 
 # distro SUITE: the two commands of the README, in a bare chroot with a clone of the last commit.
 distro() {
@@ -84,9 +85,8 @@ distro_bootstrap() {
   esac
   say "bootstrapping $suite from $mirror"
   rm -rf --one-file-system "$folder/base.partial"
-  unshare --mount --pid --fork --kill-child debootstrap --variant=minbase --components="$components" --keyring="$keyring" \
-    "$suite" "$folder/base.partial" "$mirror" $script >"$folder/debootstrap.log" 2>&1 \
-    || fail "debootstrap failed; see $folder/debootstrap.log"
+  isolated debootstrap --variant=minbase --components="$components" --keyring="$keyring" "$suite" "$folder/base.partial" \
+    "$mirror" ${script:+"$script"} >"$folder/debootstrap.log" 2>&1 || fail "debootstrap failed; see $folder/debootstrap.log"
   local line
   for line in "$mirror $suite" "$mirror $suite-updates" "$security $suite-security"; do
     echo "deb $line ${components/,/ }"
@@ -111,13 +111,12 @@ ubuntu_keyring() {
   echo "$chroots/keys/$keys"
 }
 
-# in_chroot SUITE FOLDER COMMAND...: in that folder of the release. Interrupted, all that runs in there is killed.
+# in_chroot SUITE FOLDER COMMAND...: in that folder of the release.
 in_chroot() {
-  local suite=$1 place=$chroots/$1/$2 child status=0
+  local suite=$1 place=$chroots/$1/$2
   cp -L /etc/resolv.conf /etc/hosts "$place/etc/"
-  # Killing unshare ends the process that is number 1 in there, and with it all others.
   # shellcheck disable=SC2016
-  unshare --mount --pid --fork --kill-child bash -ec '
+  isolated bash -ec '
     place=$1 packages=$2
     mount -t proc proc "$place/proc"
     mount -t devpts -o newinstance,ptmxmode=0666 devpts "$place/dev/pts"
@@ -126,9 +125,16 @@ in_chroot() {
     mount --bind "$packages" "$place/var/cache/apt/archives"
     exec chroot "$place" "${@:3}"' - "$place" "$chroots/$suite/packages" \
     env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 TERM="${TERM:-dumb}" \
-    DOT_JOBS="$jobs" ${http_proxy:+http_proxy="$http_proxy"} "${@:3}" </dev/null &
+    DOT_JOBS="$jobs" ${http_proxy:+http_proxy="$http_proxy"} "${@:3}"
+}
+
+# isolated COMMAND...: with mounts and processes of its own. Interrupted, all of them are killed: unshare is, the process
+# that is number 1 in there goes with it, and with that one all others.
+isolated() {
+  local child status=0
+  unshare --mount --pid --fork --kill-child "$@" </dev/null &
   child=$!
-  trap 'kill -KILL "$child"; fail "interrupted"' INT TERM HUP
+  trap 'kill -KILL "$child"; fail "interrupted" 2>&8' INT TERM HUP
   wait "$child" || status=$?
   trap - INT TERM HUP
   return "$status"

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
 
-// Prints the layout of every type in the interface of dot::Tracker: size and alignment, then for each member its offset,
-// its size, and f, i, u, b, e or s for floating point, signed, unsigned, bool, enum and everything else; then each enum
-// with its values. It is the same for all compilers on 64-bit Linux whose standard library is GCC's. Compared with
-// src/abi/layout.txt, which ./dev.sh abi accept writes.
+// Prints the layout of every type in the interface of dot::Tracker: size and alignment, then for each member its
+// offset, its size, and f, i, u, b, e or s for floating point, signed, unsigned, bool, enum and everything else; then
+// each enum with its values. It is the same for all compilers on 64-bit Linux whose standard library is GCC's. Compared
+// with src/abi/layout.txt, which ./dev.sh abi accept writes.
 
 #include <cstdio>
 #include <string_view>
@@ -52,18 +52,19 @@ constexpr char kind() {
 template <typename T>
 class Layout {
  public:
-  explicit Layout(const char* name) { std::printf("%s %zu %zu\n", name, sizeof(T), alignof(T)); }
+  explicit Layout(const char* name) : name_(name) { std::printf("%s %zu %zu\n", name, sizeof(T), alignof(T)); }
   template <typename M>
   Layout& member(const char* name, M T::*which) {
     const T object{};
     const auto offset = reinterpret_cast<const char*>(&(object.*which)) - reinterpret_cast<const char*>(&object);
-    std::printf("  %s %td %c%zu\n", name, offset, kind<M>(), sizeof(M));
+    std::printf("%s.%s %td %c%zu\n", name_, name, offset, kind<M>(), sizeof(M));
     ++listed_;
     return *this;
   }
   int missing() const { return member_count<T>() - listed_; }
 
  private:
+  const char* name_;
   int listed_ = 0;
 };
 
@@ -82,8 +83,7 @@ template <typename E, int value = 0>
 void print_values() {
   constexpr std::string_view name = spelling<static_cast<E>(value)>();
   if constexpr (name.find(')') == std::string_view::npos) {
-    const std::string_view last = name.substr(name.rfind(':') + 1);
-    std::printf("  %.*s %d\n", static_cast<int>(last.size()), last.data(), value);
+    std::printf("%.*s %d\n", static_cast<int>(name.size()), name.data(), value);
     print_values<E, value + 1>();
   }
 }
@@ -96,17 +96,17 @@ void print_enum(const char* name) {
 }  // namespace
 
 // BEGIN(T) M(member)... END: one type.
-#define BEGIN(T)     \
-  {                  \
-    using Type = T;  \
+#define BEGIN(T)                      \
+  {                                   \
+    using Type = T;                   \
     const char* const type_name = #T; \
     Layout<Type> layout(type_name);
 #define M(name) layout.member(#name, &Type::name);
-#define END                                                                        \
-  if (layout.missing() != 0) {                                                     \
+#define END                                                                            \
+  if (layout.missing() != 0) {                                                         \
     std::fprintf(stderr, "%s has members that layout.cpp does not list\n", type_name); \
-    ++failures;                                                                    \
-  }                                                                                \
+    ++failures;                                                                        \
+  }                                                                                    \
   }
 
 int main() {
@@ -186,9 +186,12 @@ int main() {
     M(selection) M(align) M(camera) M(depth_noise) M(object) M(motion_prior) M(classifier) M(velocity) M(entropy) M(mask)
     M(max_gap) M(threads) M(discover_unknown)
   END
-  // clang-format on
+                                                                                                              // clang-format on
 
-  print_enum<State>("State");
+                                                                                                              print_enum<
+                                                                                                                  State>(
+                                                                                                                  "Stat"
+                                                                                                                  "e");
   print_enum<Reason>("Reason");
   print_enum<CameraStatus>("CameraStatus");
   print_enum<Stage>("Stage");

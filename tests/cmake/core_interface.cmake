@@ -4,6 +4,8 @@
 # The interface of the shared LIBRARY of the compiled tier, as FOLDER (src/abi) has it: what it exports of our own, and
 # the layout of the types, printed by the program LAYOUT. With ACCEPT, FOLDER is written. NM.
 
+cmake_minimum_required(VERSION 3.22)
+
 execute_process(COMMAND "${NM}" -D --defined-only --demangle "${LIBRARY}" OUTPUT_VARIABLE symbols
                 COMMAND_ERROR_IS_FATAL ANY)
 # Instantiations of the standard library differ from compiler to compiler; no host looks for them here.
@@ -26,8 +28,8 @@ endif()
 set(changes)
 foreach(part IN ITEMS exports layout)
   file(STRINGS "${FOLDER}/${part}.txt" accepted)
-  string(REPLACE "\n" ";" now "${${part}}")
-  list(REMOVE_ITEM now "")
+  string(STRIP "${${part}}" now)
+  string(REPLACE "\n" ";" now "${now}")
   # Demanglers do not agree on spaces between closing angle brackets.
   list(TRANSFORM accepted REPLACE "> +>" ">>")
   list(TRANSFORM now REPLACE "> +>" ">>")

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
 
-// compare RESULT_A RESULT_B [tracker]: two hosts built with different flags must see the same. The compiled tier is the same code
-// in both: equal to the last pixel. The templates were compiled by each host, or taken from the library where that is
-// the same: same states, and label pixels that differ by no more than rounding at an outline. With "tracker" they are
-// left out.
+// compare RESULT_A RESULT_B [tracker]: two hosts built with different flags must see the same. The compiled tier is the
+// same code in both: equal to the last pixel. The templates were compiled by each host, or taken from the library where
+// that is the same: same states, and label pixels that differ by no more than rounding at an outline. With "tracker"
+// they are left out.
 
 #include <filesystem>
 #include <fstream>

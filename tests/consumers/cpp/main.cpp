@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 // A host that uses both tiers at once, dot::Tracker and Dot<>, on a sequence: host SEQUENCE OUT. It writes what each of
-// them says, for compare.cpp; with TRACKER_ONLY, the first alone. Eigen code of its own and a large stack of aligned matrices stand for a SLAM system's.
+// them says, for compare.cpp; with TRACKER_ONLY, the first alone. Eigen code of its own and a large stack of aligned
+// matrices stand for a SLAM system's.
 
 #include <Eigen/Dense>
 #include <opencv2/imgcodecs.hpp>

@@ -32,11 +32,14 @@ usage: ./dev.sh VERB
              links that lead nowhere are errors; "docs pictures" leaves pictures of some pages in out/docs-pictures
   release    "release VERSION [--draft | --tag]": source archive, checksum, bill of materials (SPDX) and notes of the
              present commit, in out/release; the same bytes in every clone
-  abi        compare the C library's binary interface with capi/abi; "abi accept" writes the present one there
+  abi        compare the binary interfaces with capi/abi and src/abi; "abi accept" writes the present ones there
   soak       10,000 trackers made and destroyed under the address sanitizer
   cross      "cross arm64": build for AArch64 and run kernels, alignment, points, images, motion, C library and the
              sample under QEMU, compare the sample's labels with this machine's, and count the kernels' instructions;
              "cross armhf": likewise for 32-bit ARM, without the count
+  distro     demo and test in a bare chroot of another release, e.g. "distro trixie"; needs root, or sudo
+  compilers  build and test the libraries and hosts with each GCC and clang that the system's packages have;
+             "compilers trixie" in a chroot; "compilers g++-11 clang++-15" with these alone
   help       this text
 
 Debian and Ubuntu packages that are missing are installed (as root, or through sudo). Elsewhere install them yourself:
@@ -135,6 +138,7 @@ demo_network() {
 run_tests() {
   need python3-numpy python3-onnx python3-opencv python3-pytest python3-mypy python3-setuptools python3-wheel python3-pip \
     python3-venv python3-yaml git parallel
+  need lintian pkg-config python3-jinja2 # for the tests of the packages
   compile all
   say "testing"
   ctest --test-dir "$build" --output-on-failure -j2 || fail "tests failed; what each of them printed is above"
@@ -313,20 +317,22 @@ abi() {
   need_compiler
   need abigail-tools
   [ "$(uname -sm)" = 'Linux x86_64' ] || fail "capi/abi describes the library of 64-bit Linux on x86"
-  say "building the C library with debug information"
-  cmake -S "$root" -B "$root/build-abi" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DDOT_BUILD_TESTS=OFF -DDOT_BUILD_BENCH=OFF \
+  say "building the libraries with debug information"
+  cmake -S "$root" -B "$root/build-abi" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DDOT_BUILD_TESTS=ON -DDOT_BUILD_BENCH=OFF \
     -DDOT_BUILD_EXAMPLES=OFF -DCMAKE_CXX_FLAGS="-ffile-prefix-map=$root/=" >/dev/null
-  cmake --build "$root/build-abi" --parallel "$jobs" --target dot_capi
+  cmake --build "$root/build-abi" --parallel "$jobs" --target dot_capi test_core_shared test_core_layout
+  cmake -DNM=nm -DLIBRARY="$root/build-abi/tests/libtest_core_shared.so" -DLAYOUT="$root/build-abi/tests/test_core_layout" \
+    -DFOLDER="$root/src/abi" ${1:+"-D${1^^}=ON"} -P tests/cmake/core_interface.cmake || fail "see above"
   local library=$root/build-abi/capi/libdot_capi.so now=$root/build-abi/libdot_capi.abi
   abidw --exported-interfaces-only --headers-dir capi/include --drop-private-types --drop-undefined-syms --no-show-locs \
     --no-comp-dir-path --no-corpus-path --no-elf-needed --out-file "$now" "$library"
   if [ "${1:-}" = accept ]; then
     cp "$now" capi/abi/libdot_capi.abi
     nm -D --defined-only "$library" | sed -n 's/^[0-9a-f]* [^A] \([^@]*\).*/\1/p' | LC_ALL=C sort >capi/abi/exports.txt
-    git --no-pager diff --stat -- capi/abi
+    git --no-pager diff --stat -- capi/abi src/abi
   else
     abidiff capi/abi/libdot_capi.abi "$now" || fail "not the interface of capi/abi; if it is meant: ./dev.sh abi accept"
-    echo "the interface of capi/abi"
+    echo "the interfaces of capi/abi and src/abi"
   fi
 }
 
@@ -368,6 +374,15 @@ case $verb in
   abi) abi "$@" ;;
   soak) soak ;;
   cross) cross "$@" ;;
+  distro)
+    source scripts/distro.sh
+    distro "$@"
+    ;;
+  compilers)
+    source scripts/distro.sh
+    source scripts/compilers.sh
+    compilers "$@"
+    ;;
   versions) versions ;;
   help | -h | --help)
     usage

@@ -4,20 +4,23 @@
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/dot")
 
-# One export file per component, so that loading one never asks for the dependencies of another.
-function(dot_install_component component)
+# dot_install_component(<component> <target> [<component of the shared library>]): one export file each, so that loading
+# one never asks for the dependencies of another.
+function(dot_install_component component target)
+  set(library libraries ${ARGN})
+  list(GET library -1 library)
   install(
-    TARGETS ${ARGN}
+    TARGETS ${target}
     EXPORT dot-${component}
-    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT libraries
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${library}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${library} NAMELINK_COMPONENT development
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
   install(EXPORT dot-${component} NAMESPACE dot:: FILE dot-${component}-targets.cmake DESTINATION ${package_dir}
           COMPONENT development)
 endfunction()
 
 dot_install_component(headers dot_headers)
-dot_install_component(core dot_core)
+dot_install_component(core dot_core core_library)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/dot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         COMPONENT development FILES_MATCHING PATTERN "*.hpp")
 
@@ -40,7 +43,19 @@ endif()
 # libGL and X11.
 list(TRANSFORM OpenCV_INCLUDE_DIRS PREPEND "-I" OUTPUT_VARIABLE opencv_includes)
 list(JOIN opencv_includes " " DOT_PC_OPENCV_CFLAGS)
-set(DOT_PC_OPENCV_LIBS "-L$<TARGET_FILE_DIR:opencv_core> -lopencv_imgproc -lopencv_core")
+set(DOT_PC_OPENCV_LIBS "-lopencv_imgproc -lopencv_core")
+get_target_property(type opencv_core TYPE)
+if(NOT type STREQUAL "INTERFACE_LIBRARY") # as which some package managers describe it: there is no file to ask for
+  set(folder "$<TARGET_FILE_DIR:opencv_core>")
+  set(known "$<IN_LIST:${folder},${CMAKE_CXX_IMPLICIT_LINK_DIRECTORIES}>")
+  string(PREPEND DOT_PC_OPENCV_LIBS "$<$<NOT:${known}>:-L${folder} >")
+endif()
+# The standard library of C++, for a host in C that links the archive.
+set(cxx_libs ${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES})
+list(FILTER cxx_libs INCLUDE REGEX "^(stdc|c)\\+\\+$")
+list(REMOVE_DUPLICATES cxx_libs)
+list(TRANSFORM cxx_libs PREPEND "-l")
+list(JOIN cxx_libs " " DOT_PC_CXX_LIBS)
 
 function(dot_install_pkgconfig name)
   configure_file("${PROJECT_SOURCE_DIR}/cmake/${name}.pc.in" "${PROJECT_BINARY_DIR}/${name}.pc.in" @ONLY)
@@ -68,7 +83,7 @@ configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/dotConfig.cmake.in" "
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/dotConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/dotConfig.cmake" "${PROJECT_BINARY_DIR}/dotComponents.cmake"
               "${PROJECT_BINARY_DIR}/dotConfigVersion.cmake" DESTINATION ${package_dir} COMPONENT development)
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/dot COMPONENT development)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/dot COMPONENT licence)
 
 if(DOT_INSTALL_TOOLS)
   if(NOT DOT_BUILD_EXAMPLES)

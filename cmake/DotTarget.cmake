@@ -21,4 +21,10 @@ function(dot_own_library target)
     PROPERTIES CXX_VISIBILITY_PRESET hidden
                VISIBILITY_INLINES_HIDDEN ON
                POSITION_INDEPENDENT_CODE ON)
+  # A parent project may set -ffast-math for everything in it. Our code needs NaN and infinity, and a library that is
+  # linked so would make numbers near zero zeros in its whole process.
+  if(NOT MSVC)
+    target_compile_options(${target} PRIVATE -fno-fast-math)
+    target_link_options(${target} PRIVATE -fno-fast-math)
+  endif()
 endfunction()

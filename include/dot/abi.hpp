@@ -4,6 +4,12 @@
 
 #include <Eigen/Core>
 
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error \
+    "dot's templates need NaN and infinity: no -ffast-math or -Ofast here, or -fno-finite-math-only after it. \
+dot/tracker.hpp and the C library may be used with these flags."
+#endif
+
 /// @file
 /// The inline namespace of everything whose layout or code depends on Eigen.
 ///

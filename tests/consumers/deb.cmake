@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # Makes the Debian packages of BUILD in WORK, unpacks them, and builds and runs the consumer in C against what was in
-# them; where PYTHON is one with numpy, DEMO too. CPACK, DPKG_DEB, GENERATOR, C_COMPILER.
+# them; where PYTHON is one with numpy, DEMO too. LINTIAN, where it is found, must have nothing to say. CPACK, DPKG_DEB,
+# LIBDIR, GENERATOR, C_COMPILER.
 
 cmake_minimum_required(VERSION 3.22)
 
@@ -21,6 +22,15 @@ foreach(package IN ITEMS libdot-capi0 libdot-dev python3-dot-slam)
   set(content_${package} "${output}")
   run("${DPKG_DEB}" -x "${deb}" "${WORK}/root")
 endforeach()
+
+if(LINTIAN)
+  file(GLOB debs "${WORK}/packages/*.deb")
+  set(suppress)
+  if(LIBDIR STREQUAL "lib") # a build that was not configured for /usr
+    set(suppress --suppress-tags pkg-config-unavailable-for-cross-compilation)
+  endif()
+  run("${LINTIAN}" --fail-on error,warning --allow-root ${suppress} ${debs})
+endif()
 
 # A host needs the library and nothing else at run time.
 if(NOT content_libdot-capi0 MATCHES "libdot_capi\\.so\\.0" OR content_libdot-capi0 MATCHES "(include|\\.so\n|\\.so ->|\\.a\n)")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # The interface of the shared LIBRARY of the compiled tier, as FOLDER (src/abi) has it: what it exports of our own, and
-# the layout of the types, printed by the program LAYOUT. With ACCEPT, FOLDER is written. NM.
+# the layout of the types, printed by the program LAYOUT. With ACCEPT, FOLDER is written. NM, EMULATOR.
 
 cmake_minimum_required(VERSION 3.22)
 
@@ -17,7 +17,7 @@ list(JOIN symbols "\n" exports)
 if(NOT exports)
   message(FATAL_ERROR "${LIBRARY} exports nothing of dot")
 endif()
-execute_process(COMMAND "${LAYOUT}" OUTPUT_VARIABLE layout COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${EMULATOR} "${LAYOUT}" OUTPUT_VARIABLE layout COMMAND_ERROR_IS_FATAL ANY)
 
 if(ACCEPT)
   file(WRITE "${FOLDER}/exports.txt" "${exports}\n")

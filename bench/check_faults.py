@@ -6,7 +6,7 @@
 usage: check_faults.py DOT_RUN SEQ... [--only FAULT,...]        needs numpy and OpenCV for Python
 
 The sequences as they are come first: what is said of them is a false alarm. A fault counts as found if it is named and
-its figure is within 30 % of the true one. The copies are made in a temporary folder, one after the other; see faults.py.
+its figure is within 30 % of the true one. The copies are made in a temporary folder, one after the other, by faults.py.
 """
 import argparse
 import json

@@ -24,5 +24,6 @@ from .tracker import Camera, CameraMotion, Tracker
 __version__ = _version()
 
 __all__ = ["CAMERA_DTYPE", "OBJECT_DTYPE", "Busy", "Camera", "CameraMotion", "CameraResult", "CameraStatus",
-           "Classifier", "Closed", "DepthSource", "Error", "Finding", "Instance", "InternalError", "InvalidArgument", "Masks",
-           "MasksLike", "NoResult", "Object", "OutOfMemory", "Reason", "Result", "State", "Suspicion", "Tracker", "check"]
+           "Classifier", "Closed", "DepthSource", "Error", "Finding", "Instance", "InternalError", "InvalidArgument",
+           "Masks", "MasksLike", "NoResult", "Object", "OutOfMemory", "Reason", "Result", "State", "Suspicion",
+           "Tracker", "check"]

@@ -14,8 +14,10 @@ using dot::Diagnosis;
 using dot::Suspicion;
 
 constexpr int kWidth = 320, kHeight = 240;
+constexpr int kSpeeds[] = {3, 5, 7, 9, 11, 13, 15, 17, 19, 21};  // pixels a frame
 
-/// Bars 3 m away before a wall 10 m away; all move to the left.
+/// Bars 3 m away before a wall 10 m away, in ten bands of rows, each with a speed of its own: with one speed for all,
+/// depth that is late would be depth that is shifted.
 dot::FrameData scene(int frame, double scale = 1) {
   dot::FrameData out;
   out.pyramid.levels.resize(1);
@@ -26,7 +28,8 @@ dot::FrameData scene(int frame, double scale = 1) {
   inverse_depth.resize(kWidth, kHeight);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
-      const int place = x + 7 * frame, bar = (place + 13 * (y / 24)) % 80;
+      const int band = y / 24;
+      const int place = x + kSpeeds[band] * frame, bar = (place + 13 * band) % 80;
       const bool near = bar < 30;
       const int texture = (place * 2654435761u + static_cast<unsigned>(y) * 40503u) >> 16 & 7;
       image(x, y) = static_cast<std::uint8_t>((near ? 160 : 80) + texture);

@@ -21,7 +21,7 @@ const Distortion fisheye{Distortion::Model::Equidistant, {-0.013, 0.02, -0.013, 
 /// The ray of a distorted point, by Newton's method with numeric derivatives.
 Eigen::Vector2d undistort(const Distortion& distortion, const Eigen::Vector2d& target) {
   Eigen::Vector2d ray = target;
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < 8; ++i) {
     Eigen::Matrix2d J;
     constexpr double h = 1e-6;
     for (int axis = 0; axis < 2; ++axis) {

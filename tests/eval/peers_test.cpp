@@ -38,7 +38,8 @@ struct Scene {
     v.T_world_camera.t = camera;
     for (int y = 0; y < size.height; ++y) {
       for (int x = 0; x < size.width; ++x) {
-        const Eigen::Vector3d ray((x - peers::camera.cx) / peers::camera.fx, (y - peers::camera.cy) / peers::camera.fy, 1);
+        const Eigen::Vector3d ray((x - peers::camera.cx) / peers::camera.fx, (y - peers::camera.cy) / peers::camera.fy,
+                                  1);
         const double to_board = board.z() - camera.z(), to_wall = 12 - camera.z();
         const Eigen::Vector3d on_board = camera + to_board * ray - board;
         const bool hit = std::abs(on_board.x()) < 1.5 && std::abs(on_board.y()) < 1;

@@ -80,8 +80,7 @@ TEST(Undistorter, GivesTheImageOfAPinhole) {
     cv::Mat ids(camera.height, camera.width, CV_16UC1);
     for (int y = 0; y < camera.height; ++y) {
       for (int x = 0; x < camera.width; ++x) {
-        const Eigen::Vector2d ray =
-            undistort(distortion, {(x - camera.cx) / camera.fx, (y - camera.cy) / camera.fy});
+        const Eigen::Vector2d ray = undistort(distortion, {(x - camera.cx) / camera.fx, (y - camera.cy) / camera.fy});
         const double px = camera.fx * ray.x() + camera.cx, py = camera.fy * ray.y() + camera.cy;
         image.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(std::lround(scene(px, py)));
         ids.at<std::uint16_t>(y, x) = px < 160 ? 700 : 40000;

@@ -48,7 +48,9 @@ peers::View view_of(const runner::SequenceFrame& frame, const dot::Result& resul
 class Decided {
  public:
   Decided(const dot::Result& result, const peers::Answers& answers)
-      : result_(result), objects_(result.objects.begin(), result.objects.end()), labels_(result.labels.height, result.labels.width, CV_8UC1) {
+      : result_(result),
+        objects_(result.objects.begin(), result.objects.end()),
+        labels_(result.labels.height, result.labels.width, CV_8UC1) {
     const auto state_of = [&](std::uint32_t id) {
       const auto answer = answers.find(id);
       return answer == answers.end() ? dot::State::NotObservable : answer->second;

@@ -132,7 +132,7 @@ int run_data_set(const Arguments& arguments, std::atomic<bool>& stop) {
   const std::vector<std::string> common = settings(arguments);
   tracker_options(arguments.run, dot::DepthSource::Unknown);  // what is wrong there is wrong for every sequence
   std::vector<dataset::Outcome> outcomes;
-  for (dataset::Item& item : dataset::read_list(set.list)) outcomes.push_back({std::move(item), {}, {}, {}});
+  for (dataset::Item& item : dataset::read_list(set.list)) outcomes.emplace_back().item = std::move(item);
   std::error_code error;
   fs::create_directories(out, error);
   if (error) throw FileError(out.string() + ": the folder cannot be made: " + error.message());
@@ -172,8 +172,8 @@ int run_data_set(const Arguments& arguments, std::atomic<bool>& stop) {
     return std::count_if(own.begin(), own.end(), [&](auto& outcome) { return outcome.status == status; });
   };
   const long failed = count(dataset::Status::Failed), left = count(dataset::Status::Interrupted);
-  std::printf("sequences %zu: %ld complete (%zu of them before), %ld failed, %ld interrupted or not begun\n", own.size(),
-              count(dataset::Status::Complete), own.size() - jobs.size(), failed, left);
+  std::printf("sequences %zu: %ld complete (%zu of them before), %ld failed, %ld interrupted or not begun\n",
+              own.size(), count(dataset::Status::Complete), own.size() - jobs.size(), failed, left);
   std::printf("summary   %s\n", summary_path(arguments).c_str());
   if (left > 0) return status_of_interrupted;
   return failed > 0 ? 1 : 0;

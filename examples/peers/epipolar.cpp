@@ -17,8 +17,8 @@ namespace peers {
 namespace {
 
 // As in the published program.
-constexpr int border = 5;                  // pixels
-constexpr int most_change = 2120;          // grey values, sum over the 3x3 surroundings
+constexpr int border = 5;          // pixels
+constexpr int most_change = 2120;  // grey values, sum over the 3x3 surroundings
 const cv::Size window(22, 22);
 constexpr int levels = 5;
 
@@ -36,7 +36,8 @@ int change(const cv::Mat& a, const cv::Point& at_a, const cv::Mat& b, const cv::
   int sum = 0;
   for (int y = -1; y <= 1; ++y)
     for (int x = -1; x <= 1; ++x)
-      sum += std::abs(int{a.at<std::uint8_t>(at_a + cv::Point(x, y))} - int{b.at<std::uint8_t>(at_b + cv::Point(x, y))});
+      sum +=
+          std::abs(int{a.at<std::uint8_t>(at_a + cv::Point(x, y))} - int{b.at<std::uint8_t>(at_b + cv::Point(x, y))});
   return sum;
 }
 

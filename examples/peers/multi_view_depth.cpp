@@ -24,7 +24,7 @@ cv::Mat borders(const cv::Mat& depth, double limit) {
 }  // namespace
 
 Answers MultiViewDepthRule::next(const View& view) {
-  constexpr int grid = 4;          // pixels between points
+  constexpr int grid = 4;  // pixels between points
   constexpr int least_points = 5;
   const cv::Mat border = borders(view.depth, settings_.metres);
   const dot::SE3d T_camera_world = view.T_world_camera.inverse();

@@ -11,7 +11,7 @@
 namespace peers {
 
 Answers SceneFlowRule::next(const View& view) {
-  constexpr int grid = 2;          // pixels between points
+  constexpr int grid = 2;  // pixels between points
   constexpr int least_points = 10;
   const std::optional<View> before = std::exchange(before_, view);
   if (!before) return {};
@@ -34,8 +34,7 @@ Answers SceneFlowRule::next(const View& view) {
       const cv::Point pixel = nearest(to);
       if (!inside(view.ids, pixel) || view.ids.at<int>(pixel) != id || !(view.depth.at<float>(pixel) > 0)) continue;
       const Eigen::Vector3d from_world = before->T_world_camera * point_of(camera_, x, y, depth);
-      const Eigen::Vector3d to_world =
-          view.T_world_camera * point_of(camera_, to.x, to.y, view.depth.at<float>(pixel));
+      const Eigen::Vector3d to_world = view.T_world_camera * point_of(camera_, to.x, to.y, view.depth.at<float>(pixel));
       ballot.add(id, (to_world - from_world).norm() > settings_.metres_a_frame);
       Depths& of_object = depths[static_cast<std::uint32_t>(id)];
       of_object.sum += view.depth.at<float>(pixel);

@@ -9,7 +9,9 @@
 namespace peers {
 
 std::vector<PublishedRule> published_rules(const dot::Intrinsics&) {
-  throw runner::UsageError("--compare needs OpenCV's video module (Debian: libopencv-video-dev), which was not there when this program was built");
+  throw runner::UsageError(
+      "--compare needs OpenCV's video module (Debian: libopencv-video-dev), which was not there when this program was "
+      "built");
 }
 
 }  // namespace peers

@@ -145,7 +145,8 @@ Segmentation CocoMasks::read(const std::string& file_name, cv::Size size,
   std::stable_sort(annotations.begin(), annotations.end(),
                    [](const Annotation& a, const Annotation& b) { return a.score < b.score; });
   if (annotations.size() > static_cast<std::size_t>(largest_id))
-    throw FileError(path_.string() + ": " + file_name + " has more than " + std::to_string(largest_id) + " annotations");
+    throw FileError(path_.string() + ": " + file_name + " has more than " + std::to_string(largest_id) +
+                    " annotations");
   const auto flagged = [&](const std::string& name) {
     return std::find(always_dynamic.begin(), always_dynamic.end(), name) != always_dynamic.end();
   };
@@ -157,8 +158,8 @@ Segmentation CocoMasks::read(const std::string& file_name, cv::Size size,
     instance.class_id = annotation.category;
     instance.score = annotation.score;
     const auto category = categories_.find(annotation.category);
-    instance.always_dynamic = flagged(std::to_string(annotation.category)) ||
-                              (category != categories_.end() && flagged(category->second));
+    instance.always_dynamic =
+        flagged(std::to_string(annotation.category)) || (category != categories_.end() && flagged(category->second));
     try {
       paint(annotation, static_cast<std::uint16_t>(instance.id), result.ids);
     } catch (const std::invalid_argument& error) {

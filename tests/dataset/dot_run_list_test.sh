@@ -213,7 +213,7 @@ touch empty.txt
 printf 'last\n./last/\n' > twice.txt
 ends "no such list" 1 "nolist.txt: cannot be read" --list nolist.txt --out no
 ends "an empty list" 1 "empty.txt: lists no sequence" --list empty.txt --out no
-ends "a sequence twice" 1 "twice.txt: ./last/ is given twice" --list twice.txt --out no
+ends "a sequence twice" 1 "twice.txt: last is given twice" --list twice.txt --out no
 ends "no folder for results" 2 "--list needs --out" --list list.txt
 ends "a list and a sequence" 2 "--list and a sequence: 'last'" last --list list.txt --out no
 ends "resume of one sequence" 2 "--resume needs --list" last --out no --resume

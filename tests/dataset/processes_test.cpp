@@ -22,9 +22,13 @@ std::map<std::size_t, Ending> run(int side_by_side, const std::vector<std::size_
                                   const std::function<void(std::size_t)>& work) {
   std::map<std::size_t, Ending> endings;
   const std::atomic<bool> stop{false};
-  Processes{side_by_side, work, [&](std::size_t job, const Ending& ending) {
+  Processes{side_by_side,
+            work,
+            [&](std::size_t job, const Ending& ending) {
               EXPECT_TRUE(endings.emplace(job, ending).second) << "job " << job << " has ended twice";
-            }, {}}.run(jobs, stop);
+            },
+            {}}
+      .run(jobs, stop);
   return endings;
 }
 
@@ -67,7 +71,8 @@ TEST(Processes, NoJobsAreNoWork) {
 TEST(Processes, WhenStoppedNoOtherBegins) {
   std::atomic<bool> stop{false};
   std::vector<std::size_t> ended;
-  Processes{1, [](std::size_t) {},
+  Processes{1,
+            [](std::size_t) {},
             [&](std::size_t job, const Ending&) {
               ended.push_back(job);
               if (job == 1) stop = true;

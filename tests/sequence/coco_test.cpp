@@ -52,7 +52,8 @@ TEST(CocoRuns, DamagedOnesAreRefused) {
   for (const char* const wrong : {"T", "5 3", "\x7F", "ooooooooo0"})
     EXPECT_THROW(runner::decode_run_lengths(wrong), std::invalid_argument) << wrong;
   cv::Mat ids = blank();
-  for (const Lengths& wrong : {Lengths{}, Lengths{23}, Lengths{25}, Lengths{-1, 25}, Lengths{24, 1}, Lengths{1LL << 60, 3}})
+  for (const Lengths& wrong :
+       {Lengths{}, Lengths{23}, Lengths{25}, Lengths{-1, 25}, Lengths{24, 1}, Lengths{1LL << 60, 3}})
     EXPECT_THROW(runner::paint_runs(wrong, 1, ids), std::invalid_argument);
   EXPECT_EQ(cv::countNonZero(ids), 0) << "what is refused leaves nothing";
 }
@@ -79,7 +80,8 @@ TEST(CocoPolygon, MayLeaveTheImage) {
   EXPECT_THROW(runner::paint_polygon({0, 0, 1, 1, 2, 2, 3}, 1, ids), std::invalid_argument);
 }
 
-const std::string images = R"("images": [{"id": 10, "file_name": "rgb/000000.jpg"}, {"id": 11, "file_name": "000001.png"}])";
+const std::string images =
+    R"("images": [{"id": 10, "file_name": "rgb/000000.jpg"}, {"id": 11, "file_name": "000001.png"}])";
 const std::string categories = R"("categories": [{"id": 1, "name": "person"}, {"id": 3, "name": "car"}])";
 
 std::string document(const std::string& annotations) {
@@ -116,7 +118,8 @@ TEST(CocoMasks, OfOneImage) {
 
 TEST(CocoMasks, CrowdsAreNoInstances) {
   const RecordingFolder folder;
-  folder.text("coco.json", document(R"({"image_id": 10, "iscrowd": 1, "segmentation": {"size": [4, 6], "counts": [0, 24]}})"));
+  folder.text("coco.json",
+              document(R"({"image_id": 10, "iscrowd": 1, "segmentation": {"size": [4, 6], "counts": [0, 24]}})"));
   EXPECT_TRUE(runner::CocoMasks(folder.path() / "coco.json").read("000000.png", {6, 4}, {}).instances.empty());
 }
 
@@ -134,7 +137,8 @@ TEST(CocoMasks, WhatIsWrongIsNamed) {
   ASSERT_EQ(complaint(document(square)), "none");
   EXPECT_EQ(complaint("[]"), ": is not an object with images and annotations, as COCO's format has them");
   EXPECT_EQ(complaint("{}"), ": has no list 'images': COCO's format has images, annotations, categories");
-  EXPECT_EQ(complaint("{" + images + "}"), ": has no list 'annotations': COCO's format has images, annotations, categories");
+  EXPECT_EQ(complaint("{" + images + "}"),
+            ": has no list 'annotations': COCO's format has images, annotations, categories");
   EXPECT_EQ(complaint(R"({"images": [{"id": 1, "file_name": "a.png"}, {"id": 2, "file_name": "b/a.jpg"}]})"),
             ": images[1]: 'b/a.jpg' is named as another image");
   EXPECT_EQ(complaint(R"({"images": [{"id": 1, "file_name": "a.png"}, {"id": 1, "file_name": "b.png"}]})"),

@@ -21,7 +21,7 @@ const Distortion fisheye{Distortion::Model::Equidistant, {-0.013, 0.02, -0.013, 
 /// The ray of a distorted point, by Newton's method with numeric derivatives.
 Eigen::Vector2d undistort(const Distortion& distortion, const Eigen::Vector2d& target) {
   Eigen::Vector2d ray = target;
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < 8; ++i) {
     Eigen::Matrix2d J;
     constexpr double h = 1e-6;
     for (int axis = 0; axis < 2; ++axis) {
@@ -80,8 +80,7 @@ TEST(Undistorter, GivesTheImageOfAPinhole) {
     cv::Mat ids(camera.height, camera.width, CV_16UC1);
     for (int y = 0; y < camera.height; ++y) {
       for (int x = 0; x < camera.width; ++x) {
-        const Eigen::Vector2d ray =
-            undistort(distortion, {(x - camera.cx) / camera.fx, (y - camera.cy) / camera.fy});
+        const Eigen::Vector2d ray = undistort(distortion, {(x - camera.cx) / camera.fx, (y - camera.cy) / camera.fy});
         const double px = camera.fx * ray.x() + camera.cx, py = camera.fy * ray.y() + camera.cy;
         image.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(std::lround(scene(px, py)));
         ids.at<std::uint16_t>(y, x) = px < 160 ? 700 : 40000;

@@ -60,8 +60,10 @@ TEST(ImageSource, APattern) {
   EXPECT_TRUE(source.numbered);
   EXPECT_EQ(source.files[1].number, 10);
   EXPECT_EQ(complaint(folder.path() / "l/middle_%04d.png"), ": there are no such files");
-  for (const char* const wrong : {"l/%s.png", "l/%", "l/%04", "l/%d_%d.png", "l_%d/x.png", "l/%04x.png", "l/%1234d.png"})
-    EXPECT_EQ(complaint(folder.path() / wrong), ": a pattern must have one %d, or %06d or alike, in its last part") << wrong;
+  for (const char* const wrong :
+       {"l/%s.png", "l/%", "l/%04", "l/%d_%d.png", "l_%d/x.png", "l/%04x.png", "l/%1234d.png"})
+    EXPECT_EQ(complaint(folder.path() / wrong), ": a pattern must have one %d, or %06d or alike, in its last part")
+        << wrong;
 }
 
 }  // namespace

@@ -42,7 +42,9 @@ std::string complaint(const runner::SequenceOptions& options) {
   return "none";
 }
 
-double metres(const runner::SequenceFrame& frame) { return frame.depth.at<std::uint16_t>(1, 1) / frame.depth_units_per_metre; }
+double metres(const runner::SequenceFrame& frame) {
+  return frame.depth.at<std::uint16_t>(1, 1) / frame.depth_units_per_metre;
+}
 
 TEST(NamedLayout, FoldersInTheirOrder) {
   const RecordingFolder folder;
@@ -127,7 +129,8 @@ TEST(NamedLayout, ACameraOfOpen3D) {
   const RecordingFolder folder;
   write(folder, {"color/00000.jpg", "color/00001.jpg"}, CV_8UC3, 100);
   write(folder, {"depth/00000.png", "depth/00001.png"}, CV_16UC1, 2000);
-  const std::string before = R"({"color_mode": "MJPG_1080P", "depth_scale": 1000.0, "fps": 30.0, "height": 4, "intrinsic_matrix": )";
+  const std::string before =
+      R"({"color_mode": "MJPG_1080P", "depth_scale": 1000.0, "fps": 30.0, "height": 4, "intrinsic_matrix": )";
   folder.text("intrinsic.json", before + R"([36.0, 0.0, 0.0, 0.0, 37.0, 0.0, 2.5, 1.5, 1.0], "width": 6})");
   runner::SequenceOptions options = options_for(folder);
   options.images = "color";

@@ -222,7 +222,7 @@ ends "one camera for all" 2 "--camera belongs to one sequence" --list list.txt -
 ends "one page for all" 2 "--player is within the folder of each sequence" --list list.txt --out no --player "$work/x.html"
 ends "real time side by side" 2 "--jobs does not go with --real-time" --list list.txt --out no --jobs 2 --real-time
 echo "velocity.v1 = 1" > settings.txt
-ends "a wrong setting is told at once" 1 "settings.txt:1: velocity.v1" --list list.txt --out no --config settings.txt
+ends "a wrong setting is told at once" 1 "settings.txt:1: unknown option 'velocity.v1'" --list list.txt --out no --config settings.txt
 ends "settings that can be read once" 1 "a regular file is needed" --list list.txt --out no --config <(echo "threads = 1")
 [ ! -e no ] || fail "what is refused leaves a folder"
 

@@ -23,8 +23,7 @@ class Ballot {
   Answers result(double share, int least) const {
     Answers answers;
     for (const auto& [id, count] : counts_)
-      if (count.all >= least)
-        answers[id] = count.moving > share * count.all ? dot::State::Moving : dot::State::Static;
+      if (count.all >= least) answers[id] = count.moving > share * count.all ? dot::State::Moving : dot::State::Static;
     return answers;
   }
 

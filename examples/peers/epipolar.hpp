@@ -15,8 +15,8 @@ namespace peers {
 /// the image, and those whose surroundings have changed, are left out; an object moves when "a certain number" of its
 /// points is farther from the line than a threshold. The published program has 1 px, and one point.
 ///
-/// Here the lines are those of the true camera motion instead of a fundamental matrix by RANSAC. Where the camera stands
-/// there are no lines; the distance is then that to where the rotation alone takes the point.
+/// Here the lines are those of the true camera motion instead of a fundamental matrix by RANSAC. Where the camera
+/// stands there are no lines; the distance is then that to where the rotation alone takes the point.
 class EpipolarRule : public Rule {
  public:
   struct Settings {

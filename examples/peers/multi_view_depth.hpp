@@ -10,10 +10,10 @@ namespace peers {
 
 /// DynaSLAM's multi-view geometry: what stands before that which earlier views have seen there has moved.
 ///
-/// B. Bescos, J. M. Facil, J. Civera, J. Neira: DynaSLAM: Tracking, Mapping and Inpainting in Dynamic Scenes, RA-L 2018,
-/// arXiv:1806.05620, section III-C. Points of five earlier keyframes are projected into the view; those of over 30
-/// degrees of parallax are left out. A point is dynamic when its projected depth exceeds the measured one by more than
-/// 0.4 m, but not at a border of the depth.
+/// B. Bescos, J. M. Facil, J. Civera, J. Neira: DynaSLAM: Tracking, Mapping and Inpainting in Dynamic Scenes, RA-L
+/// 2018, arXiv:1806.05620, section III-C. Points of five earlier keyframes are projected into the view; those of over
+/// 30 degrees of parallax are left out. A point is dynamic when its projected depth exceeds the measured one by more
+/// than 0.4 m, but not at a border of the depth.
 ///
 /// The paper grows regions of pixels from such points and has no rule for objects; here an object moves when over 30 %
 /// of the points that fall on its mask are dynamic. Every fourth view is a keyframe, and the points are those of a grid

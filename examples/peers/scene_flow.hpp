@@ -22,7 +22,7 @@ class SceneFlowRule : public Rule {
  public:
   struct Settings {
     double metres_a_frame = 0.12;
-    double moving_share = 0.3;  ///< of the points
+    double moving_share = 0.3;                                  ///< of the points
     double farthest = std::numeric_limits<double>::infinity();  ///< mean depth of an object that is decided, metres
   };
   SceneFlowRule(const dot::Intrinsics& camera, const Settings& settings) : camera_(camera), settings_(settings) {}

@@ -74,7 +74,8 @@ std::unique_ptr<runner::VideoInput> open_video(const fs::path& path) { return st
 #else
 
 std::unique_ptr<runner::VideoInput> open_video(const fs::path& path) {
-  throw runner::FileError(path.string() + ": this program was built without OpenCV's videoio (Debian: libopencv-videoio-dev)");
+  throw runner::FileError(path.string() +
+                          ": this program was built without OpenCV's videoio (Debian: libopencv-videoio-dev)");
 }
 
 #endif

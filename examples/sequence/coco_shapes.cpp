@@ -48,7 +48,8 @@ void paint_runs(const std::vector<std::int64_t>& lengths, std::uint16_t id, cv::
 
 void paint_polygon(const std::vector<double>& xy, std::uint16_t id, cv::Mat& ids) {
   const std::size_t corners = xy.size() / 2;
-  if (xy.size() % 2 != 0 || corners < 3) throw std::invalid_argument("a polygon needs x and y of three corners or more");
+  if (xy.size() % 2 != 0 || corners < 3)
+    throw std::invalid_argument("a polygon needs x and y of three corners or more");
   std::vector<double> crossings;
   for (int row = 0; row < ids.rows; ++row) {
     const double y = row + 0.5;
@@ -62,7 +63,8 @@ void paint_polygon(const std::vector<double>& xy, std::uint16_t id, cv::Mat& ids
       return static_cast<int>(std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(ids.cols)));
     };
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
-      for (int x = first_after(crossings[i]); x < first_after(crossings[i + 1]); ++x) ids.at<std::uint16_t>(row, x) = id;
+      for (int x = first_after(crossings[i]); x < first_after(crossings[i + 1]); ++x)
+        ids.at<std::uint16_t>(row, x) = id;
   }
 }
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 /// @file
-/// Masks as COCO's format has them. Run lengths count the pixels column by column, from the top left one on: first those
-/// outside of the mask, then those in it, and so on in turn.
+/// Masks as COCO's format has them. Run lengths count the pixels column by column, from the top left one on: first
+/// those outside of the mask, then those in it, and so on in turn.
 
 namespace runner {
 

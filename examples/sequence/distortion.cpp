@@ -56,8 +56,7 @@ cv::Mat Undistorter::labels(const cv::Mat& labels) const {
       // Written so that what is not a number is outside.
       const bool inside = from_x >= 0 && from_y >= 0 && from_x < static_cast<float>(labels.cols) &&
                           from_y < static_cast<float>(labels.rows);
-      if (inside)
-        std::copy_n(labels.ptr(static_cast<int>(from_y), static_cast<int>(from_x)), size, result.ptr(y, x));
+      if (inside) std::copy_n(labels.ptr(static_cast<int>(from_y), static_cast<int>(from_x)), size, result.ptr(y, x));
     }
   }
   return result;

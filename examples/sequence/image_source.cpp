@@ -42,8 +42,7 @@ Pattern parse_pattern(const fs::path& source) {
   while (end < name.size() && is_digit(name[end])) ++end;
   const bool good = end < name.size() && name[end] == 'd' && name.find('%', end) == std::string::npos &&
                     end - percent < 4 && source.parent_path().string().find('%') == std::string::npos;
-  if (!good)
-    throw FileError(source.string() + ": a pattern must have one %d, or %06d or alike, in its last part");
+  if (!good) throw FileError(source.string() + ": a pattern must have one %d, or %06d or alike, in its last part");
   Pattern pattern{name.substr(0, percent), name.substr(end + 1)};
   if (end - percent > 1) pattern.least_digits = std::stoul(name.substr(percent + 1, end - percent - 1));
   return pattern;

@@ -84,7 +84,8 @@ void pair_up(const SequenceOptions& options, const fs::path& source, bool number
 
 Recording read_named_layout(const SequenceOptions& options) {
   const auto in_folder = [&](const fs::path& name) { return (options.folder / name).lexically_normal(); };
-  const CameraFile camera = read_camera_file(in_folder(options.intrinsics.empty() ? "intrinsics.txt" : options.intrinsics));
+  const CameraFile camera =
+      read_camera_file(in_folder(options.intrinsics.empty() ? "intrinsics.txt" : options.intrinsics));
   Recording recording;
   recording.layout = "named files";
   recording.intrinsics = camera.intrinsics;
@@ -107,8 +108,8 @@ Recording read_named_layout(const SequenceOptions& options) {
     recording.depth_source = dot::DepthSource::Stereo;
   } else {
     pair_up(options, in_folder(options.depth_dir), numbered, &RecordingEntry::depth, recording);
-    recording.depth_source = camera.stated_source.value_or(
-        camera.intrinsics.baseline > 0 ? dot::DepthSource::Stereo : dot::DepthSource::Unknown);
+    recording.depth_source = camera.stated_source.value_or(camera.intrinsics.baseline > 0 ? dot::DepthSource::Stereo
+                                                                                          : dot::DepthSource::Unknown);
   }
   list_masks(options, recording.entries);
   return recording;

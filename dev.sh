@@ -31,8 +31,7 @@ usage: ./dev.sh VERB
   abi        compare the C library's binary interface with capi/abi; "abi accept" writes the present one there
   soak       10,000 trackers made and destroyed under the address sanitizer
   cross      "cross arm64": build for AArch64 and run kernels, alignment, points, images, motion, C library and the
-             sample under QEMU, compare the sample's labels with this machine's, and count the kernels' instructions;
-             "cross armhf": likewise for 32-bit ARM, without the count
+             sample under QEMU, compare the sample's labels with this machine's, and count the kernels' instructions
   help       this text
 
 Debian and Ubuntu packages that are missing are installed (as root, or through sudo). Elsewhere install them yourself:
@@ -323,8 +322,7 @@ cross() {
   local machine=${1:-}
   case $machine in
     arm64) need g++-aarch64-linux-gnu ;;
-    armhf) need g++-arm-linux-gnueabihf ;;
-    *) fail "cross: arm64 or armhf" ;;
+    *) fail "cross $machine: only cross arm64" ;;
   esac
   need qemu-user-static python3-numpy python3-opencv
   compile dot_run

@@ -35,8 +35,7 @@ usage: ./dev.sh VERB
   abi        compare the binary interfaces with capi/abi and src/abi; "abi accept" writes the present ones there
   soak       10,000 trackers made and destroyed under the address sanitizer
   cross      "cross arm64": build for AArch64 and run kernels, alignment, points, images, motion, C library and the
-             sample under QEMU, compare the sample's labels with this machine's, and count the kernels' instructions;
-             "cross armhf": likewise for 32-bit ARM, without the count
+             sample under QEMU, compare the sample's labels with this machine's, and count the kernels' instructions
   distro     demo and test in a bare chroot of another release, e.g. "distro trixie"; needs root, or sudo
   compilers  build and test the libraries and hosts with each GCC and clang that the system's packages have;
              "compilers trixie" in a chroot; "compilers g++-11 clang++-15" with these alone
@@ -349,8 +348,7 @@ cross() {
   local machine=${1:-}
   case $machine in
     arm64) need g++-aarch64-linux-gnu ;;
-    armhf) need g++-arm-linux-gnueabihf ;;
-    *) fail "cross: arm64 or armhf" ;;
+    *) fail "cross $machine: only cross arm64" ;;
   esac
   need qemu-user-static python3-numpy python3-opencv
   compile dot_run

@@ -75,7 +75,8 @@ Peak peak_of(const cv::Mat& window) {
   Peak peak;
   cv::Point at;
   cv::minMaxLoc(window, nullptr, &peak.height, nullptr, &at);
-  peak.offset = cv::Point2d(at.x - window.cols / 2, at.y - window.rows / 2);
+  const cv::Point middle(window.cols / 2, window.rows / 2);
+  peak.offset = at - middle;
   // The top of a parabola through the neighbours.
   const auto top = [](double before, double here, double after) {
     const double curvature = before - 2 * here + after;

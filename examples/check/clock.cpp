@@ -62,6 +62,7 @@ Finding order_finding(const std::vector<double>& steps) {
 Finding gap_finding(const std::vector<double>& steps, double usual) {
   constexpr double gap = 1.6, regular = 0.2;  // of the usual step
   std::vector<double> deviations;
+  deviations.reserve(steps.size());
   for (const double step : steps) deviations.push_back(std::abs(step - usual));
   if (!(usual > 0) || median(deviations) > regular * usual)
     return unknown("frames-dropped", "The frames come at irregular times.");

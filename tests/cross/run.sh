@@ -5,14 +5,13 @@
 # What ./dev.sh cross does, after it installed the compiler and the emulator: builds for another machine in
 # build-MACHINE, runs its tests under the emulator, and compares its run of the sample with those of this machine.
 #
-#     tests/cross/run.sh arm64|armhf DOT_RUN JOBS    DOT_RUN: of this machine
+#     tests/cross/run.sh arm64 DOT_RUN JOBS    DOT_RUN: of this machine
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 machine=$1 dot_run=$2 jobs=$3
 case $machine in
   arm64) triplet=aarch64-linux-gnu emulator=qemu-aarch64-static kernels=(portable neon) ;;
-  armhf) triplet=arm-linux-gnueabihf emulator=qemu-arm-static kernels=(portable) ;;
-  *) echo "run.sh: $machine: only arm64, armhf" >&2; exit 2 ;;
+  *) echo "run.sh: $machine: only arm64" >&2; exit 2 ;;
 esac
 sysroot=$PWD/build/sysroot-$machine build=$PWD/build-$machine out=$PWD/out/cross sample=examples/data/mini
 say() { printf '\n== %s (%s s)\n' "$*" "$SECONDS"; }
@@ -47,7 +46,5 @@ python=python3
 "$python" -c 'import numpy, cv2' 2>/dev/null || python=/usr/bin/python3
 "$python" tests/cross/compare_runs.py "$out/here-portable" "${runs[@]}"
 
-if [ "$machine" = arm64 ]; then
-  say "instructions of the kernels"
-  nice bench/instructions_arm64.sh "$build" "$sysroot"
-fi
+say "instructions of the kernels"
+nice bench/instructions_arm64.sh "$build" "$sysroot"

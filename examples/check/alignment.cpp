@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <opencv2/imgproc.hpp>
 #include <utility>
+#include <vector>
+
+#include "median.hpp"
 
 namespace check {
 
@@ -159,6 +162,11 @@ Lag find_lag(const Alignment& alignment) {
   lag.known = height(best) > least && height(best) > clearly * next;
   lag.clear = best != 0 && height(best) > least && height(best) > clearly * height(0) && 4 * agreeing >= 3 * parts;
   lag.match = alignment.match(lag.clear ? best : 0);
+  std::vector<double> differences;
+  for (int part = 0; part < Alignment::kParts; ++part)
+    if (const Match match = alignment.match(lag.clear ? best : 0, part); match.height > 0)
+      differences.push_back(cv::norm(match.offset - lag.match.offset));
+  lag.spread = differences.empty() ? 0 : quantile(std::move(differences), 0.75);
   return lag;
 }
 

@@ -63,6 +63,7 @@ struct Lag {
   bool clear = false;  ///< the parts of the recording agree on it, and it fits clearly better than no lag
   bool known = false;  ///< it stands out from the others at all
   Match match;         ///< at that lag if it is clear, otherwise at none
+  double spread = 0;   ///< pixels by which the offset of three quarters of the parts differs from that one, at most
 };
 
 Lag find_lag(const Alignment& alignment);

@@ -55,11 +55,15 @@ Finding lag_finding(const Lag& lag) {
   return fine("depth-lag", 0, "frames", "Depth and image are of the same moment.");
 }
 
-Finding offset_finding(const Lag& lag) {
+Finding offset_finding(const Lag& lag, int frames) {
   constexpr double least_height = 0.1;
+  constexpr int least_frames = 12;
+  constexpr double most_spread = 2.5;  // pixels, over the parts of the recording
   constexpr double most = 2.5;  // pixels; up to 1.5 on recordings without the fault
   if (lag.match.height < least_height)
     return unknown("depth-offset", "The edges of the depth are not seen in the image.");
+  if (frames < least_frames || lag.spread > most_spread)
+    return unknown("depth-offset", "The parts of the recording do not agree on an offset, or are too short.");
   const double pixels = std::hypot(lag.match.offset.x, lag.match.offset.y);
   const std::string where = number(lag.match.offset.x, 1) + " px to the right and " + number(lag.match.offset.y, 1) +
                             " px down (negative: left, up)";
@@ -94,7 +98,7 @@ Findings check_registration(const Samples& samples) {
   }
   const Lag lag = find_lag(alignment);
   findings.push_back(lag_finding(lag));
-  findings.push_back(offset_finding(lag));
+  findings.push_back(offset_finding(lag, count));
   return findings;
 }
 

@@ -17,7 +17,7 @@ constexpr int width = 320, height = 160;
 
 /// Boxes 4 m away before a wall 20 m away, with a texture of their own each; they pass by, each at its own speed.
 struct Scene {
-  cv::Mat wall{height, width, CV_8U}, boxes{height, 2 * width, CV_8U};
+  cv::Mat wall = cv::Mat(height, width, CV_8U), boxes = cv::Mat(height, 2 * width, CV_8U);
 
   Scene() {
     cv::RNG random(7);

@@ -45,9 +45,9 @@ class DepthStep {
 
   /// Frames by which the depth is late; 0 if it is in step, or if that cannot be told.
   int lag() const {
-    constexpr double kEdges = 3000;   // ends of things: fewer say little
+    constexpr double kEdges = 1500;   // ends of things: fewer say little
     constexpr double kClearly = 1.4;  // over the peak of no lag, and over those of all others
-    constexpr double kHigh = 0.15;    // of the mean strength of edges
+    constexpr double kHigh = 0.2;     // of the mean strength of edges
     double heights[2 * kMaxLag + 1];
     int best = 0;
     for (int lag = -kMaxLag; lag <= kMaxLag; ++lag) {

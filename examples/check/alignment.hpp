@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <opencv2/core.hpp>
+#include <array>
 #include <vector>
+
+#include <opencv2/core.hpp>
 
 #include "edges.hpp"
 
@@ -44,8 +46,9 @@ class Alignment {
     void add(const Sum& other);
   };
   struct Transforms {
-    cv::Mat sides[2], image;
-    double pixels[2] = {};
+    std::array<cv::Mat, 2> sides;
+    cv::Mat image;
+    std::array<double, 2> pixels{};
   };
 
   cv::Mat transform(const cv::Mat& edges) const;

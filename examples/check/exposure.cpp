@@ -67,6 +67,7 @@ Finding band_finding(const std::vector<std::vector<std::complex<double>>>& waves
   std::vector<double> sizes(count);
   for (std::size_t k = 0; k < count; ++k) {
     std::vector<double> of_wave;
+    of_wave.reserve(waves.size());
     for (const auto& wave : waves) of_wave.push_back(std::abs(wave[k]));
     sizes[k] = median(std::move(of_wave));
   }

@@ -59,7 +59,7 @@ Finding offset_finding(const Lag& lag, int frames) {
   constexpr double least_height = 0.1;
   constexpr int least_frames = 12;
   constexpr double most_spread = 2.5;  // pixels, over the parts of the recording
-  constexpr double most = 2.5;  // pixels; up to 1.5 on recordings without the fault
+  constexpr double most = 2.5;         // pixels; up to 1.5 on recordings without the fault
   if (lag.match.height < least_height)
     return unknown("depth-offset", "The edges of the depth are not seen in the image.");
   if (frames < least_frames || lag.spread > most_spread)

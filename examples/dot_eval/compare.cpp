@@ -121,6 +121,7 @@ std::vector<ObjectScore> run(const Arguments& arguments, const std::filesystem::
     done(i + 1, sequence.size());
   }
   std::vector<ObjectScore> scores;
+  scores.reserve(scorers.size());
   for (const ObjectScorer& scorer : scorers) scores.push_back(scorer.score());
   return scores;
 }

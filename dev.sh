@@ -224,7 +224,9 @@ lint() {
   (cd python && python_for mypy -m mypy --cache-dir "$build/mypy")
   say "clang-tidy"
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
-  git ls-files 'src/*.cpp' 'capi/*.cpp' 'examples/*.cpp' | xargs -P "$jobs" -n 1 clang-tidy -p "$build" --quiet
+  local other_machines=src/kernels/neon # kernels that this one has no compiler for
+  [ "$(uname -m)" = x86_64 ] || other_machines=src/kernels/avx
+  git ls-files 'src/*.cpp' 'capi/*.cpp' 'examples/*.cpp' | grep -v "^$other_machines" | xargs -P "$jobs" -n 1 clang-tidy -p "$build" --quiet
 }
 
 # sanitize_with PRESET [TARGET...]: builds with that preset's sanitizers.

@@ -47,7 +47,7 @@ TEST(OwnLayout, ImplausibleIntrinsics) {
        {"cut", "36 36 2.5 1.5 6 4 0.5", ":1: fps is missing"},
        {"too many", "36 36 2.5 1.5 6 4 0.5 10 2", ":1: has more than eight numbers"},
        {"depth twice", "36 36 2.5 1.5 6 4 0.5 10\ndepth lidar\ndepth rgbd",
-        ":3: nothing may follow the line of the depth"}});
+        ":3: nothing may follow the line of the depth but that of the distortion"}});
 }
 
 /// A tracker would take memory for images of the size that is claimed.

@@ -68,8 +68,9 @@ class DepthStep {
       for (Sum& sum : of_lag) sum = {};
   }
 
-  /// Number of pixels in the last frame's sampled rows, and of those that have depth.
+  /// Number of pixels in the last frame's sampled rows.
   int pixels() const { return pixels_; }
+  /// Number of those that have depth.
   int measured() const { return measured_; }
   /// Mean inverse depth of these, 1/m.
   double mean_inverse_depth() const { return measured_ > 0 ? inverse_sum_ / measured_ : 0; }

@@ -31,8 +31,8 @@ constexpr const char* to_string(Suspicion suspicion) {
 
 /// What the tracker suspects of its input. It says so of the last frames, and takes it back when they are better.
 struct Diagnosis {
-  Suspicion reason = Suspicion::None;
-  double figure = 0;
+  Suspicion reason = Suspicion::None;  ///< the gravest suspicion
+  double figure = 0;                   ///< in the unit that `Suspicion` names
 };
 
 }  // namespace dot

@@ -43,6 +43,7 @@ class Watch {
     return {};
   }
 
+  /// Starts afresh, as at the first frame.
   void forget() noexcept {
     step_.clear();
     gaps_ = repeats_ = few_points_ = {};

@@ -199,9 +199,13 @@ TEST(CheckExposure, MeasuresJumpsAndBands) {
 }
 
 TEST(CheckBlur, MeasuresItsLength) {
+  // In the made scene the edges of the boxes are much stronger than their texture.
+  cv::Mat wall(check_test::height, check_test::width, CV_8U);
+  cv::RNG(7).fill(wall, cv::RNG::UNIFORM, 0, 256);
+  cv::GaussianBlur(wall, wall, {}, 1);
   for (const int length : {7, 13}) {
     Samples samples = made_samples();
-    for (auto& frame : samples.frames) cv::blur(frame.grey, frame.grey, {length, 1});
+    for (auto& frame : samples.frames) cv::blur(wall, frame.grey, {length, 1});
     expect_fault(find(check::check_blur(samples), "motion-blur"), length, 1);
   }
   expect_fine(find(check::check_blur(made_samples()), "motion-blur"));

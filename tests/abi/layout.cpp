@@ -143,9 +143,10 @@ int main() {
     M(angular_velocity) M(angular_covariance) M(point_speed) M(point_speed_sigma) M(phi) M(disparity_px)
     M(disparity_noise_px) M(entropy) M(range) M(interval) M(n_points) M(n_inliers) M(fused_velocity) M(fused_covariance)
   END
+  BEGIN(Diagnosis) M(reason) M(figure) END
   BEGIN(Result)
-    M(frame_id) M(timestamp) M(interval) M(too_little_depth) M(disparity_bias_px) M(camera) M(labels) M(ids) M(objects)
-    M(small_instances) M(stage_ms)
+    M(frame_id) M(timestamp) M(interval) M(too_little_depth) M(disparity_bias_px) M(diagnosis) M(camera) M(labels) M(ids)
+    M(objects) M(small_instances) M(stage_ms)
   END
   BEGIN(ExclusionPolicy) M(exclude_not_observable) M(exclude_static) M(dilation) END
 
@@ -186,14 +187,11 @@ int main() {
     M(selection) M(align) M(camera) M(depth_noise) M(object) M(motion_prior) M(classifier) M(velocity) M(entropy) M(mask)
     M(max_gap) M(threads) M(discover_unknown)
   END
-                                                                                                              // clang-format on
-
-                                                                                                              print_enum<
-                                                                                                                  State>(
-                                                                                                                  "Stat"
-                                                                                                                  "e");
+  print_enum<State>("State");
+  // clang-format on
   print_enum<Reason>("Reason");
   print_enum<CameraStatus>("CameraStatus");
+  print_enum<Suspicion>("Suspicion");
   print_enum<Stage>("Stage");
   print_enum<PixelFormat>("PixelFormat");
   print_enum<DepthSource>("DepthSource");

@@ -27,7 +27,8 @@ inline int coarse_level(int area, int levels) {
 }
 
 /// Makes a template on the level that suits the mask's area. @param depth 1/m, of the mask's frame.
-/// @return false if that is level 0, or if the level has too few measurements; `out` is then empty.
+/// @return false if that is level 0, or if less than half of the mask's pixels on the level are measured; `out` is then
+/// empty.
 inline bool make_coarse_template(const Mask& mask, const DepthPyramid& depth, double tolerance,
                                  TemplateWorkspace& workspace, MaskTemplate& out) {
   const int level = coarse_level(mask.area, static_cast<int>(depth.levels.size()));
@@ -39,6 +40,12 @@ inline bool make_coarse_template(const Mask& mask, const DepthPyramid& depth, do
   fill_mask(
       {left, top, std::max(0, right - left + 1), std::max(0, bottom - top + 1)},
       [&](int x, int y) { return mask.at((x << level) + middle, (y << level) + middle); }, out.mask);
+  // Pixels at the border may show what is beside an object without depth.
+  int measured = 0;
+  for (int y = 0; y < out.mask.height(); ++y)
+    for (int x = 0; x < out.mask.width(); ++x)
+      measured += out.mask.pixels(x, y) != 0 && inverse_depth(out.mask.x + x, out.mask.y + y) > 0;
+  if (2 * measured < out.mask.area) return out.clear(), false;
   if (!make_template(out.mask, inverse_depth.view(), tolerance, workspace, out)) return false;
   out.level = level;
   return true;

@@ -189,7 +189,7 @@ wheel() {
 }
 
 format() {
-  need clang-format
+  need git clang-format
   sources | xargs clang-format -i
   echo "formatted $(sources | wc -l) files"
 }
@@ -215,7 +215,7 @@ versions() {
 
 lint() {
   need_compiler
-  need clang-format clang-tidy python3-numpy python3-mypy
+  need git clang-format clang-tidy python3-numpy python3-mypy
   say "versions"
   versions
   say "formatting"
@@ -315,6 +315,7 @@ release() {
 
 # abi [accept]: a change of the binary interface is a decision, and shows as one in a diff.
 abi() {
+  case ${1:-} in '' | accept) ;; *) fail "abi $1: it is abi, or abi accept" ;; esac
   need_compiler
   need abigail-tools
   [ "$(uname -sm)" = 'Linux x86_64' ] || fail "capi/abi describes the library of 64-bit Linux on x86"

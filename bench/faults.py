@@ -165,7 +165,6 @@ def dropped(s, size):
     n, k = len(s.frames), int(size)
     places = [n // 4, n // 2, 3 * n // 4]
     keep(s, [i for i in range(n) if not any(p <= i < p + k for p in places)])
-    s.frames = s.frames  # numbers without gaps: 0, 1, 2, ...
     s.write_times = True
 
 

@@ -48,8 +48,8 @@ distro() {
 
 distro_known() {
   case $1 in
-    bullseye | bookworm | trixie | jammy | noble) ;;
-    *) fail "a release to try, please: bullseye, bookworm or trixie of Debian, jammy or noble of Ubuntu; not '$1'" ;;
+    bookworm | trixie | jammy | noble) ;;
+    *) fail "a release to try, please: bookworm or trixie of Debian, jammy or noble of Ubuntu; not '$1'" ;;
   esac
 }
 
@@ -60,7 +60,11 @@ become_root() {
   command -v sudo >/dev/null || fail "$1 makes chroots: it needs root, or sudo"
   exec sudo --preserve-env=DOT_JOBS,DOT_MIRROR,http_proxy "$root/dev.sh" "$@"
 }
-git_as_root() { git -c "safe.directory=$root" -c "safe.directory=$root/.git" "$@"; }
+# Not by -c: git does not pass that on to the process that reads the repository to be cloned.
+git_as_root() {
+  printf '[safe]\n\tdirectory = *\n' >"$chroots/gitconfig"
+  GIT_CONFIG_GLOBAL=$chroots/gitconfig git "$@"
+}
 
 # distro_bootstrap SUITE: fills base, once. What is left of an interrupted try is thrown away.
 distro_bootstrap() {

@@ -156,10 +156,11 @@ Lag find_lag(const Alignment& alignment) {
     if (said == best) ++agreeing;
   }
   double next = 0;
+  int others = 0;  // a recording of one frame has none
   for (int l = -Alignment::kMaxLag; l <= Alignment::kMaxLag; ++l)
-    if (l != best) next = std::max(next, height(l));
+    if (l != best && height(l) > 0) next = std::max(next, height(l)), ++others;
   lag.frames = best;
-  lag.known = height(best) > least && height(best) > clearly * next;
+  lag.known = others > 1 && height(best) > least && height(best) > clearly * next;
   lag.clear = best != 0 && height(best) > least && height(best) > clearly * height(0) && 4 * agreeing >= 3 * parts;
   lag.match = alignment.match(lag.clear ? best : 0);
   std::vector<double> differences;

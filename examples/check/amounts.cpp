@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 #include <vector>
@@ -20,9 +21,10 @@ Finding depth_finding(const Samples& samples) {
   const dot::DepthSource source = samples.recording.depth_source;
   const bool dense = source == dot::DepthSource::Stereo || source == dot::DepthSource::Rgbd;
   std::vector<double> shares;
-  for (const Sample& frame : samples.frames)
-    shares.push_back(100.0 * cv::countNonZero(frame.depth > 0) / static_cast<double>(frame.depth.total()));
-  const double share = median(shares);
+  for (const Sample& frame : samples.frames)  // those whose depth was left out say nothing of the others
+    if (const int measured = cv::countNonZero(frame.depth > 0); measured > 0)
+      shares.push_back(100.0 * measured / static_cast<double>(frame.depth.total()));
+  const double share = shares.empty() ? 0 : median(shares);
   const std::string said = number(share, share < 10 ? 1 : 0) + " % of the pixels have depth.";
   if (share >= (dense ? least : least_of_lidar)) return fine("depth-sparse", share, "%", said);
   return faulty("depth-sparse", share, "%", said,
@@ -32,9 +34,10 @@ Finding depth_finding(const Samples& samples) {
                     : "The tracker needs the depth of a few per cent of the pixels.");
 }
 
+constexpr int side = 32;  // pixels
+
 /// Standard deviation of the grey values in a small square: of the richer squares of a picture.
 double contrast(const cv::Mat& grey) {
-  constexpr int side = 32;
   constexpr double richer = 0.7;
   std::vector<double> deviations;
   for (int y = 0; y + side <= grey.rows; y += side)
@@ -48,6 +51,8 @@ double contrast(const cv::Mat& grey) {
 
 Finding texture_finding(const Samples& samples) {
   constexpr double least = 5;  // grey values; 9 and more on the sequences tried
+  if (const cv::Mat& grey = samples.frames[0].grey; std::min(grey.cols, grey.rows) < side)
+    return unknown("texture-low", "The images are smaller than " + text(side) + " pixels.");
   std::vector<double> contrasts;
   for (std::size_t i = 0; i < samples.frames.size(); i += 4) contrasts.push_back(contrast(samples.frames[i].grey));
   const double found = median(contrasts);

@@ -54,6 +54,8 @@ Blur blur_of(const std::vector<double>& c) {
 Findings check_blur(const Samples& samples) {
   constexpr double alike = 0.62, opposite = -0.09;  // sharp images: less, and that far down at 2 or 3 pixels only
   constexpr int least = 4;                          // pixels
+  if (const cv::Mat& grey = samples.frames[0].grey; std::min(grey.cols, grey.rows) < lags)
+    return {unknown("motion-blur", "The images are smaller than " + text(lags) + " pixels.")};
   std::vector<double> across(lags, 0), along(lags, 0);
   int count = 0;
   for (std::size_t i = 0; i < samples.frames.size(); i += 3, ++count) {

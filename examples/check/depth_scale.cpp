@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "depth_units.hpp"
@@ -12,8 +13,8 @@
 
 /// @file
 /// The scale of the depth, from the steps in which a stereo matcher or a structured-light camera measures disparity:
-/// 1/16 or 1/8 of a pixel. Inverse depth then takes values at equal distances, and their distance times the focal
-/// length, the baseline and the depth's unit is that step. Nothing in the pictures is needed for it.
+/// 1/16 or 1/8 of a pixel, seldom more. Inverse depth then takes values at equal distances, and their distance times
+/// the focal length, the baseline and the depth's unit is that step. Nothing in the pictures is needed for it.
 
 namespace check {
 namespace {
@@ -21,11 +22,13 @@ namespace {
 constexpr std::size_t bins = std::size_t{1} << 17;
 constexpr double least_samples = 3000;
 constexpr std::array<double, 2> steps_per_pixel{16, 8};
+constexpr std::array<double, 4> other_steps{1, 2, 4, 32};  ///< only where they fit exactly: others may be another unit
 
 /// Where the spectrum of the disparities has a line.
 struct Comb {
   double per_pixel = 0;  ///< disparities a pixel, by the stated focal length, baseline and unit
   double coherence = 0;  ///< 1: all of them lie on it
+  double by_chance = 0;  ///< the highest coherence that as many different disparities without steps may have
 };
 
 /// The strongest line near `per_pixel`.
@@ -54,50 +57,62 @@ std::optional<Comb> line_near(const Samples& samples, double per_pixel, double f
     histogram.at<float>(static_cast<int>(static_cast<double>(d) / span * static_cast<double>(bins))) += 1;
   cv::Mat spectrum;
   cv::dft(histogram, spectrum, cv::DFT_COMPLEX_OUTPUT);
+  int lines = 0;
   Comb best;
   const auto last = std::min<double>(per_pixel * width * span, static_cast<double>(bins) / 2 - 1);
   for (int k = static_cast<int>(per_pixel / width * span); k <= static_cast<int>(last); ++k) {
     const auto c = spectrum.at<cv::Vec2f>(k);
     const double coherence = std::hypot(c[0], c[1]) / static_cast<double>(disparities.size());
-    if (coherence > best.coherence) best = {k / span, coherence};
+    if (coherence > best.coherence) best = {k / span, coherence, 0};
+    ++lines;
   }
+  // The mean of n vectors of any direction is 1 / sqrt(n) long, the longest of k such means sqrt(ln k) times as much.
+  const int different = std::max(1, cv::countNonZero(histogram));
+  best.by_chance = 2 * std::sqrt(std::log(std::max(2, lines)) / different);
   return best;
 }
 
-Finding unit_fault(double ratio) {
-  const DepthUnit& unit = nearest_unit(ratio);
+Finding unit_fault(double ratio, double stated) {
+  const DepthUnit& unit = nearest_unit(ratio, stated);
   return faulty("depth-unit", ratio, "times too far",
                 "All depths are " + number(ratio, 3) + " times too far: they look like " + unit.name + ".",
                 "Divide by the unit that the depth has: " + std::string(unit.name) +
                     ". Speeds and v0 are in metres, so that a wrong unit makes wrong decisions.");
 }
 
-Findings judge(const Comb& comb) {
+/// @param stated values of the depth images that make a metre. @return nothing if the steps are of no known kind.
+std::optional<Findings> judge(const Comb& comb, double stated) {
   constexpr double most = 0.012;          // of the product: up to 0.005 on recordings without the fault
   constexpr double of_calibration = 0.2;  // more is no error of a calibration
   constexpr double of_unit = 0.06;
   double error = 10;  // ln of the true product over the stated one
-  for (const double steps : steps_per_pixel)
+  const auto take = [&](double steps) {
     if (const double e = std::log(comb.per_pixel / steps); std::abs(e) < std::abs(error)) error = e;
+  };
+  for (const double steps : steps_per_pixel) take(steps);
+  if (std::abs(error) > of_calibration)
+    for (const double steps : other_steps)
+      if (std::abs(std::log(comb.per_pixel / steps)) <= most) take(steps);
   if (std::abs(error) > of_calibration) {
     for (const double steps : steps_per_pixel) {
       const double ratio = comb.per_pixel / steps;
-      if (std::abs(std::log(ratio / nearest_unit(ratio).too_far)) < of_unit)
-        return {unit_fault(ratio), unknown("focal-baseline", "The unit of the depth is wrong.")};
+      if (std::abs(std::log(ratio / too_far(nearest_unit(ratio, stated), stated))) < of_unit)
+        return Findings{unit_fault(ratio, stated), unknown("focal-baseline", "The unit of the depth is wrong.")};
     }
-    return {unknown("depth-unit", "The depth's steps are of no known unit."),
-            unknown("focal-baseline", "The depth's steps are those of no known camera.")};
+    return std::nullopt;
   }
   const Finding unit = fine("depth-unit", 1, "times too far", "The depth's steps are those of its unit.");
   const double percent = 100 * (std::exp(-error) - 1);
   if (std::abs(error) <= most)
-    return {unit, fine("focal-baseline", percent, "%",
-                       "Focal length times baseline fits the depth within " + number(std::abs(percent), 1) + " %.")};
-  return {unit, faulty("focal-baseline", percent, "%",
-                       "Focal length times baseline is " + number(std::abs(percent), 1) + " % " +
-                           (percent > 0 ? "more" : "less") + " than that with which the depth was computed.",
-                       "Use the calibration of the rectified images from which the depth was made; look whether the "
-                       "images were scaled or cropped since.")};
+    return Findings{unit,
+                    fine("focal-baseline", percent, "%",
+                         "Focal length times baseline fits the depth within " + number(std::abs(percent), 1) + " %.")};
+  return Findings{unit,
+                  faulty("focal-baseline", percent, "%",
+                         "Focal length times baseline is " + number(std::abs(percent), 1) + " % " +
+                             (percent > 0 ? "more" : "less") + " than that with which the depth was computed.",
+                         "Use the calibration of the rectified images from which the depth was made; look whether the "
+                         "images were scaled or cropped since.")};
 }
 
 /// Without such steps only what no camera measures can be told.
@@ -133,15 +148,18 @@ Findings check_depth_scale(const Samples& samples) {
             unknown("focal-baseline", "The depth is computed with them, and fits whatever they are.")};
   if (!(fx_baseline > 0)) return judge_plausibility(samples);
   // From the widest steps on: multiples of a line are lines, too.
-  std::vector<double> places;
+  const double stated = samples.recording.depth_units_per_metre;
+  std::vector<double> places(other_steps.begin(), other_steps.end());
   for (const double steps : steps_per_pixel) {
     places.push_back(steps);
-    for (const DepthUnit& unit : depth_units) places.push_back(steps * unit.too_far);
+    for (const DepthUnit& unit : depth_units) places.push_back(steps * too_far(unit, stated));
   }
   std::sort(places.begin(), places.end());
   constexpr double clear = 0.3;
   for (const double place : places)
-    if (const auto comb = line_near(samples, place, fx_baseline); comb && comb->coherence > clear) return judge(*comb);
+    if (const auto comb = line_near(samples, place, fx_baseline);
+        comb && comb->coherence > std::max(clear, comb->by_chance))
+      if (auto findings = judge(*comb, stated)) return *std::move(findings);
   return judge_plausibility(samples);
 }
 

@@ -7,19 +7,23 @@
 
 namespace check {
 
-/// A unit that is in use for depth images, where 1/256 m is expected.
+/// A unit that is in use for depth images.
 struct DepthUnit {
-  double too_far;  ///< depths read as 1/256 m over the true ones
+  double per_metre;
   const char* name;
 };
 
-constexpr std::array<DepthUnit, 3> depth_units{
-    {{100 / 256.0, "centimetres"}, {1000 / 256.0, "millimetres"}, {5000 / 256.0, "1/5000 m"}}};
+constexpr std::array<DepthUnit, 4> depth_units{
+    {{100, "centimetres"}, {256, "1/256 m"}, {1000, "millimetres"}, {5000, "1/5000 m"}}};
 
-inline const DepthUnit& nearest_unit(double too_far) {
+/// Depths of this unit, read as if `stated` values made a metre, over the true ones.
+inline double too_far(const DepthUnit& unit, double stated) { return unit.per_metre / stated; }
+
+inline const DepthUnit& nearest_unit(double ratio, double stated) {
   const DepthUnit* nearest = &depth_units[0];
+  const auto distance = [&](const DepthUnit& unit) { return std::abs(std::log(ratio / too_far(unit, stated))); };
   for (const DepthUnit& unit : depth_units)
-    if (std::abs(std::log(too_far / unit.too_far)) < std::abs(std::log(too_far / nearest->too_far))) nearest = &unit;
+    if (distance(unit) < distance(*nearest)) nearest = &unit;
   return *nearest;
 }
 

@@ -75,12 +75,17 @@ Finding band_finding(const std::vector<std::vector<std::complex<double>>>& waves
   const double usual = median(sizes);
   // The difference of two waves that are turned against each other by an angle is 2 sin(angle / 2) times as high.
   std::complex<double> turn = 0;
-  for (std::size_t i = 1; i < waves.size(); ++i) turn += waves[i][strongest] * std::conj(waves[i - 1][strongest]);
+  double all = 0;
+  for (std::size_t i = 1; i < waves.size(); ++i) {
+    const std::complex<double> step = waves[i][strongest] * std::conj(waves[i - 1][strongest]);
+    turn += step, all += std::abs(step);
+  }
+  constexpr double alike = 0.5;  // of the turns; those of noise agree to 1 / sqrt(frames)
   const double difference = std::max(0.2, 2 * std::abs(std::sin(0.5 * std::arg(turn))));
   const double percent = 100 * sizes[strongest] / difference;
   const std::string said = "Bands across the image, " + count_text(static_cast<int>(strongest) + 1, "wave") +
                            " over its height, change its brightness by " + number(percent, 1) + " %";
-  if (sizes[strongest] < least || sizes[strongest] < outstanding * usual)
+  if (sizes[strongest] < least || sizes[strongest] < outstanding * usual || std::abs(turn) < alike * all)
     return fine("brightness-bands", percent, "%", said + ": no more than things that pass.");
   return faulty("brightness-bands", percent, "%", said + ".",
                 "Lamps flicker with the mains. Expose for a multiple of 1/100 s (1/120 s at 60 Hz), or use a global "
@@ -111,7 +116,10 @@ Findings check_exposure(const Samples& samples) {
       }
     waves.push_back(std::move(wave));
   }
-  if (jumps.empty()) return {unknown("exposure-jumps", "There are no two frames in a row.")};
+  if (jumps.empty()) {
+    const char* const why = "There are no two frames in a row.";
+    return {unknown("exposure-jumps", why), unknown("brightness-bands", why)};
+  }
   return {jump_finding(jumps), band_finding(waves)};
 }
 

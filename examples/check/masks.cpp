@@ -91,6 +91,7 @@ Finding value_finding(const Samples& samples) {
                   number(100 * values.graded, 0) + " % of the masks' pixels have a neighbour of another value, up to " +
                       text(values.most) + " values in a frame: they look like probabilities or an image, not like ids.",
                   "Threshold the probabilities of each instance, and write its number where it is the likeliest.");
+  if (values.most == 0) return unknown("masks-values", "The masks are empty.");
   const std::string said = "A value stands for " + number(values.regions, 1) + " separate regions on average, " +
                            text(values.most) + (values.most == 1 ? " value" : " values") + " in a frame at most";
   if (values.regions > most_regions)
@@ -128,7 +129,10 @@ Finding lag_finding(const Samples& samples) {
 Findings check_masks(const Samples& samples) {
   const bool any =
       std::any_of(samples.frames.begin(), samples.frames.end(), [](const Sample& f) { return !f.ids.empty(); });
-  if (!any) return {unknown("masks-values", "There are no masks.")};
+  if (!any) {
+    const char* const why = "There are no masks.";
+    return {unknown("masks-size", why), unknown("masks-values", why), unknown("masks-lag", why)};
+  }
   Findings findings{size_finding(samples), value_finding(samples)};
   findings.push_back(findings[0].verdict == Verdict::Fault ? unknown("masks-lag", "The masks have another size.")
                                                            : lag_finding(samples));

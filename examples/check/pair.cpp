@@ -140,10 +140,12 @@ Findings depth_findings(const std::vector<Point>& points) {
   constexpr double most_scale = 0.02, of_calibration = 0.25;
   const Line line = fit(points);
   Findings findings;
+  if (!(line.scale > 0)) return {unknown("disparity-bias", "The depths of the points are too much alike.")};
   if (std::abs(std::log(line.scale)) > of_calibration) {
-    findings.push_back(faulty("depth-unit", 1 / line.scale, "times too far",
-                              "The depths are " + number(1 / line.scale, 2) + " times those of the pair of images.",
+    findings.push_back(faulty("depth-unit", line.scale, "times too far",
+                              "The depths are " + number(line.scale, 2) + " times those of the pair of images.",
                               "State the unit of the depth, and the baseline in metres."));
+    findings.push_back(unknown("disparity-bias", "The unit of the depth is wrong."));
     return findings;
   }
   const double percent = 100 * (1 / line.scale - 1);

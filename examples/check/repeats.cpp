@@ -30,10 +30,13 @@ Findings check_repeats(const Samples& samples) {
     const bool image = equal(before.grey, now.grey);
     if (image) ++images;
     if (!image && !samples.depth_from_pair && before.depth.size() == now.depth.size() &&
-        cv::norm(before.depth, now.depth, cv::NORM_INF) == 0)
+        cv::norm(before.depth, now.depth, cv::NORM_INF) == 0 && cv::countNonZero(now.depth) > 0)
       ++depths;
   }
-  if (pairs == 0) return {unknown("images-repeated", "There are no two frames in a row.")};
+  if (pairs == 0) {
+    const char* const why = "There are no two frames in a row.";
+    return {unknown("images-repeated", why), unknown("depth-repeated", why)};
+  }
   Findings findings;
   const auto add = [&](const char* fault, int repeated, const char* what, const char* advice) {
     const double percent = 100.0 * repeated / (pairs + 1);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "sequence/distortion.hpp"
 #include "sequence/entries.hpp"
 #include "sequence/errors.hpp"
 #include "sequence/images.hpp"
@@ -59,7 +60,15 @@ Samples read_samples(const runner::SequenceOptions& options) {
   as_they_are.check_times = false;
   samples.recording = runner::open_recording(as_they_are);
   const runner::Recording& recording = samples.recording;
+  if (!recording.videos.empty())
+    throw runner::FileError(options.folder.string() + ": --check reads images, no videos: make images of them");
   const cv::Size size(recording.intrinsics.width, recording.intrinsics.height);
+  // Without masks and depth of the same size as the image, that is a finding, and they stay as they are.
+  std::optional<runner::Undistorter> undistorter;
+  if (recording.distortion) undistorter.emplace(recording.intrinsics, *recording.distortion);
+  const auto undistorted = [&](const cv::Mat& labels) {
+    return undistorter && labels.size() == size ? undistorter->labels(labels) : labels;
+  };
   std::optional<runner::StereoDepth> stereo;
   samples.depth_from_pair = !recording.entries[0].right.empty();
   if (samples.depth_from_pair) stereo.emplace(recording.intrinsics);
@@ -72,6 +81,7 @@ Samples read_samples(const runner::SequenceOptions& options) {
     frame.index = index;
     frame.follows = !samples.frames.empty() && samples.frames.back().index + 1 == index;
     frame.grey = grey(entry.image, size);
+    if (undistorter) frame.grey = undistorter->image(frame.grey);
     if (pair) {
       const fs::path right = samples.depth_from_pair ? entry.right : runner::same_frame(right_folder, entry);
       if (samples.depth_from_pair || runner::is_there(right)) frame.right = grey(right, size);
@@ -82,8 +92,12 @@ Samples read_samples(const runner::SequenceOptions& options) {
       frame.depth = runner::read_image(entry.depth);
       if (frame.depth.type() != CV_16UC1)
         throw runner::FileError(entry.depth.string() + ": must be a 16-bit grey image");
+      frame.depth = undistorted(frame.depth);
     }
-    if (!entry.masks.empty()) frame.ids = one_channel(entry.masks, runner::read_indices(entry.masks));
+    if (entry.coco)
+      frame.ids = undistorted(entry.coco->read(runner::image_name(entry), size, {}).ids);
+    else if (!entry.masks.empty())
+      frame.ids = undistorted(one_channel(entry.masks, runner::read_indices(entry.masks)));
     samples.frames.push_back(std::move(frame));
   }
   return samples;

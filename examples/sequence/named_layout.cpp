@@ -95,7 +95,7 @@ Recording read_named_layout(const SequenceOptions& options) {
   list_frames(options, images, camera.fps, recording);
   if (!is_video(images))  // before anybody takes memory for images of the size that is claimed
     read_image(recording.entries[0].image, {camera.intrinsics.width, camera.intrinsics.height});
-  if (const fs::path times = options.folder / "times.txt"; is_there(times)) read_times(times, recording.entries);
+  if (const fs::path times = options.folder / "times.txt"; is_there(times)) read_times(times, recording.entries, options.check_times);
 
   const bool stereo = options.stereo || !options.right.empty();
   const bool numbered = is_pattern(images);

@@ -106,26 +106,93 @@ TEST(CheckRegistration, AnotherSizeIsAFaultOfItsOwn) {
   EXPECT_EQ(find(check::check_registration(samples), "depth-lag").verdict, Verdict::Unknown);
 }
 
-/// A slope whose disparities are whole sixteenths of a pixel, stored with `per_metre` units.
-Samples with_steps(double per_metre, double stated_focal_length) {
+/// A slope whose disparities come in `steps` a pixel, stored with `per_metre` units.
+Samples with_steps(double per_metre, double stated_focal_length, double stated_per_metre = 256, int steps = 16) {
   Samples samples = made_samples(4);
   const double fx_baseline = 300 * 0.2;
   samples.recording.intrinsics.fx = stated_focal_length;
   samples.recording.intrinsics.baseline = 0.2;
+  samples.recording.depth_units_per_metre = stated_per_metre;
   for (auto& frame : samples.frames)
     for (int y = 0; y < frame.depth.rows; ++y)
       for (int x = 0; x < frame.depth.cols; ++x) {
-        const double disparity = (48 + (x + 3 * y) % 250) / 16.0;
+        const double disparity = std::round((3 + (x + 3 * y) % 250 / 16.0) * steps) / steps;
         frame.depth.at<std::uint16_t>(y, x) = cv::saturate_cast<std::uint16_t>(fx_baseline / disparity * per_metre);
       }
   return samples;
 }
 
 TEST(CheckDepthScale, NamesTheUnit) {
-  for (const double per_metre : {100.0, 1000.0})
-    expect_fault(find(check::check_depth_scale(with_steps(per_metre, 300)), "depth-unit"), per_metre / 256,
-                 0.02 * per_metre / 256);
-  expect_fine(find(check::check_depth_scale(with_steps(256, 300)), "depth-unit"));
+  for (const double stated : {256.0, 1000.0, 5000.0})
+    for (const double per_metre : {256.0, 1000.0, 5000.0}) {
+      const Finding unit = find(check::check_depth_scale(with_steps(per_metre, 300, stated)), "depth-unit");
+      if (per_metre == stated)
+        expect_fine(unit);
+      else
+        expect_fault(unit, per_metre / stated, 0.02 * per_metre / stated);
+    }
+}
+
+TEST(CheckDepthScale, CoarserAndFinerStepsAreNoFault) {
+  for (const int steps : {1, 2, 4, 8, 32}) {
+    const auto findings = check::check_depth_scale(with_steps(1000, 300, 1000, steps));
+    EXPECT_NE(find(findings, "depth-unit").verdict, Verdict::Fault) << steps << find(findings, "depth-unit").words;
+    EXPECT_NE(find(findings, "focal-baseline").verdict, Verdict::Fault) << steps;
+  }
+}
+
+/// The scene seen by a second camera, 0.2 m to the right.
+Samples made_pair(double depth_factor, int lower) {
+  Samples samples = made_samples();
+  samples.recording.intrinsics.fx = 300;
+  samples.recording.intrinsics.baseline = 0.2;
+  for (auto& frame : samples.frames) {
+    frame.right = cv::Mat(frame.grey.size(), CV_8U, cv::Scalar(90));
+    for (const bool near : {false, true})
+      for (int y = 0; y + lower < frame.grey.rows; ++y)
+        for (int x = 15; x < frame.grey.cols; ++x)
+          if (const int disparity = near ? 15 : 3; (frame.ids.at<std::uint8_t>(y, x) > 0) == near)
+            frame.right.at<std::uint8_t>(y + lower, x - disparity) = frame.grey.at<std::uint8_t>(y, x);
+    frame.depth.convertTo(frame.depth, CV_16U, depth_factor);
+  }
+  return samples;
+}
+
+TEST(CheckPair, NamesTheUnit) {
+  for (const double factor : {0.4, 2.5})
+    expect_fault(find(check::check_pair(made_pair(factor, 0)), "depth-unit"), factor, 0.05 * factor);
+  expect_fine(find(check::check_pair(made_pair(1, 0)), "focal-baseline"));
+}
+
+TEST(CheckPair, MeasuresRows) {
+  expect_fault(find(check::check_pair(made_pair(1, 2)), "pair-rows"), 2, 0.2);
+  expect_fine(find(check::check_pair(made_pair(1, 0)), "pair-rows"));
+}
+
+void expect_unknown(const check::Findings& findings, const char* fault) {
+  const Finding finding = find(findings, fault);
+  EXPECT_EQ(finding.fault, fault);  // it is said
+  EXPECT_EQ(finding.verdict, Verdict::Unknown) << finding.words;
+}
+
+TEST(Check, SaysWhatItCannotTell) {
+  Samples one = made_samples(1);
+  for (const auto* fault : {"time-unit", "time-order", "frames-dropped"})
+    expect_unknown(check::check_clock(one), fault);
+  expect_unknown(check::check_registration(one), "depth-lag");
+  expect_unknown(check::check_masks(one), "masks-lag");
+  expect_unknown(check::check_exposure(one), "brightness-bands");
+  for (auto& frame : one.frames) frame.grey = frame.grey(cv::Rect(0, 0, 20, 1)).clone();
+  expect_unknown(check::check_blur(one), "motion-blur");
+  expect_unknown(check::check_amounts(one), "texture-low");
+}
+
+TEST(CheckRepeats, DepthThatWasLeftOutIsNoFault) {
+  Samples samples = made_samples();
+  for (std::size_t i = 0; i < samples.frames.size(); ++i)
+    if (i % 3 > 0) samples.frames[i].depth = cv::Scalar(0);
+  expect_fine(find(check::check_repeats(samples), "depth-repeated"));
+  expect_fine(find(check::check_amounts(samples), "depth-sparse"));
 }
 
 TEST(CheckDepthScale, MeasuresFocalLengthTimesBaseline) {

@@ -24,8 +24,8 @@ cmake -S . -B "$build" -G Ninja --toolchain "cmake/cross/$machine.cmake" -DCMAKE
 modules=(lie kernel image points align motion)
 capi=(tests/capi/*.c)
 capi=("${capi[@]##*/}") capi=("${capi[@]%.c}")
-nice cmake --build "$build" --parallel "$jobs" --target "${modules[@]/#/test_}" "${capi[@]/#/test_}" test_identity example_c \
-  dot_run dot_bench
+nice cmake --build "$build" --parallel "$jobs" --target "${modules[@]/#/test_}" "${capi[@]/#/test_}" test_identity \
+  test_core_layout test_core_shared example_c dot_run dot_bench
 
 say "testing under $emulator"
 nice ctest --test-dir "$build" --output-on-failure --timeout 600 -j"$jobs" \

@@ -44,6 +44,7 @@ struct Setting {
   int repeat_every = 0;
   double scale = 1;
   bool few_points = false;
+  bool no_depth = false;
 };
 
 Diagnosis look(const Setting& setting, int frames = 40) {
@@ -54,6 +55,7 @@ Diagnosis look(const Setting& setting, int frames = 40) {
     const bool again = setting.repeat_every > 0 && i % setting.repeat_every == 1;
     dot::FrameData frame = scene(100 + (again ? i - 1 : i), setting.scale);
     frame.depth.levels[0] = scene(100 + (again ? i - 1 : i) - setting.depth_late, setting.scale).depth.levels[0];
+    if (setting.no_depth) frame.depth.levels[0].fill(0);
     last = watch.look(frame, noise, i > 0 ? setting.seconds : 0, 1, setting.few_points);
   }
   return last;
@@ -89,6 +91,16 @@ TEST(Watch, NoticesRepeatedImages) {
   EXPECT_NEAR(look(setting).figure, 0.25, 0.07);
 }
 
+// Without noise, all images of a camera that stands are the same.
+TEST(Watch, SuspectsNothingOfACameraThatStands) {
+  dot::Watch watch;
+  const dot::DepthNoise noise(dot::DepthNoiseSettings{}, dot::Intrinsics{300, 300, 160, 120, kWidth, kHeight, 0});
+  for (int i = 0; i < 90; ++i) {
+    const int standing = i < 30 ? 0 : i < 60 ? i - 30 : 30;
+    EXPECT_EQ(watch.look(scene(100 + standing), noise, i > 0 ? 0.1 : 0, 1, false).reason, Suspicion::None) << i;
+  }
+}
+
 TEST(Watch, NoticesDepthOfAnotherUnit) {
   Setting setting;
   setting.scale = 100;
@@ -101,6 +113,9 @@ TEST(Watch, TellsLittleTextureFromLittleDepth) {
   setting.few_points = true;
   EXPECT_EQ(look(setting).reason, Suspicion::TooLittleTexture);
   EXPECT_EQ(look(setting).figure, 1);
+  setting.no_depth = true;
+  EXPECT_EQ(look(setting).reason, Suspicion::TooLittleDepth);
+  EXPECT_EQ(look(setting).figure, 0);
 }
 
 TEST(Watch, ForgetsOnRequest) {

@@ -23,7 +23,7 @@ using dot::TrackedOutline;
 using dot::WarpedMask;
 using Vector3d = dot::Vector3<double>;
 
-constexpr int kWidth = 640, kHeight = 480, kLevels = 4;
+constexpr int kWidth = 645, kHeight = 483, kLevels = 4;  // no multiples of the coarse pixels
 constexpr double kTolerance = 0.3;
 constexpr float kObject = 0.1f, kWall = 0.02f, kNear = 0.5f;  // 1/m
 const dot::Pinhole kCamera{{400, 400, 320, 240, kWidth, kHeight, 0}};
@@ -65,8 +65,7 @@ TEST(CoarseOutline, SmallOrUnmeasuredMasksHaveNone) {
   EXPECT_FALSE(dot::make_coarse_template(small, frame_of({{small, kObject}})->depth, kTolerance, workspace, out));
   EXPECT_TRUE(dot::make_coarse_template(large, frame_of({{large, kObject}})->depth, kTolerance, workspace, out));
   EXPECT_EQ(out.level, 2);
-  const Mask everything = ellipse(320, 240, 2000, 2000);
-  const dot::FramePtr blind = frame_of({{everything, 0.f}});
+  const dot::FramePtr blind = frame_of({{large, 0.f}});
   EXPECT_FALSE(dot::make_coarse_template(large, blind->depth, kTolerance, workspace, out));
   EXPECT_EQ(out.level, 0);
   EXPECT_TRUE(out.mask.empty());
@@ -142,6 +141,55 @@ TEST(CoarseOutline, TheExactShapeIsMadeWhenItIsNeeded) {
   EXPECT_EQ(outline.warped.mask.area, expected.mask.area);
   EXPECT_EQ(dot::overlap(outline.warped.mask, expected.mask), expected.mask.area);
   EXPECT_EQ(outline.warped.confirmed_area, expected.confirmed_area);
+}
+
+/// What is cut off by the right and the lower border, where a level may have no pixels any more.
+TEST(CoarseOutline, StaysInsideTheImage) {
+  dot::OutlineWorkspace workspace;
+  for (const Mask& mask : {ellipse(kWidth, kHeight, 150, 100), ellipse(kWidth, 200, 6, 150),
+                           ellipse(300, kHeight, 400, 5), ellipse(0, 0, 200, 100)}) {
+    const dot::FramePtr frame = frame_of({{mask, kObject}});
+    TrackedOutline outline;
+    outline.take(mask, {}, frame, 0.01, kCamera, {}, workspace);
+    outline.predict_by(SE3d::translation(Vector3d(0.2, 0.2, 0)), frame->depth, kCamera, {}, workspace);
+    const auto [x, y, width, height] = outline.warped.mask.box();
+    EXPECT_GE(std::min(x, y), 0);
+    EXPECT_LE(x + width, kWidth);
+    EXPECT_LE(y + height, kHeight);
+    outline.predict_by({}, frame->depth, kCamera, {}, workspace);
+    EXPECT_GT(dot::iou(outline.warped.mask, mask), 0.5) << mask.area;
+  }
+}
+
+/// Beside an object without depth, blocks at its border have that of what is behind it.
+TEST(CoarseOutline, NeedsDepthInside) {
+  const Mask mask = ellipse(340, 230, 100, 70);
+  dot::OutlineWorkspace workspace;
+  TrackedOutline outline;
+  outline.take(mask, {}, frame_of({{mask, 0.f}}), 0.01, kCamera, {}, workspace);
+  EXPECT_EQ(outline.coarse.level, 0);
+  EXPECT_FALSE(outline.shape.measured);
+}
+
+/// A coarse part that hides nothing leaves the fine ones as they are.
+TEST(CoarseOutline, HiddenPixelsKeepTheirLevel) {
+  const Mask whole = ellipse(300, 200, 30, 30);
+  WarpedMask fine, coarse;
+  fine.mask = whole;
+  fine.inverse_depth.resize(whole.width(), whole.height());
+  fine.inverse_depth.fill(kObject);
+  dot::fill_mask(
+      {10, 10, 5, 5}, [](int, int) { return true; }, coarse.mask);
+  coarse.inverse_depth.resize(5, 5);
+  coarse.inverse_depth.fill(kNear);
+  const dot::FramePtr nearer = frame_of({{whole, kNear}});
+  dot::HiddenPart part;
+  part.add(fine, nearer->inverse_depth().view(), kTolerance, {});
+  part.add(coarse, nearer->depth.levels[3].view(), kTolerance, {}, 3);
+  MaskTemplate hidden;
+  part.make_template(hidden);
+  EXPECT_EQ(hidden.level, 0);
+  EXPECT_EQ(hidden.mask.area, whole.area);
 }
 
 /// What hides a part of a large object is found on the coarse level, too.

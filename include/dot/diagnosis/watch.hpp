@@ -25,12 +25,18 @@ class Watch {
     const double sigma = step_.measured() > 0 ? noise.prior_pixel_sigma(step_.mean_inverse_depth()) : 0;
     step_.add(frame.pyramid.levels[level], frame.depth.levels[level], static_cast<float>(kNoiseOfEnds * sigma));
     gaps_.add(!first && (seconds > max_gap || seconds < kShortestStep));
-    repeats_.add(step_.repeated());
+    // A driver repeats an image a few times. Where it stays for longer, the camera stands and has no noise.
+    if (step_.repeated()) {
+      run_ = std::min(run_ + 1, kLongestRun + 1);
+    } else {
+      for (; run_ > 0 && run_ <= kLongestRun; --run_) repeats_.add(true);
+      run_ = 0;
+      repeats_.add(false);
+    }
     few_points_.add(too_few_points);
 
     if (gaps_.share() > 0.5) return {Suspicion::ImplausibleTimes, seconds};
-    if (repeats_.share() >= kRepeats && repeats_.share() < kStanding)
-      return {Suspicion::RepeatedImages, repeats_.share()};
+    if (repeats_.share() >= kRepeats) return {Suspicion::RepeatedImages, repeats_.share()};
     const double measured =
         step_.pixels() > 0 ? static_cast<double>(step_.measured()) / static_cast<double>(step_.pixels()) : 1;
     if (few_points_.share() > 0.5) {
@@ -47,6 +53,7 @@ class Watch {
   void forget() noexcept {
     step_.clear();
     gaps_ = repeats_ = few_points_ = {};
+    run_ = 0;
   }
 
  private:
@@ -71,12 +78,13 @@ class Watch {
   static constexpr double kNoiseOfEnds = 8;      ///< sigmas of the depth: smaller steps are no ends of things
   static constexpr double kShortestStep = 5e-4;  ///< seconds
   static constexpr double kRepeats = 0.12;       ///< share of repeated images that disturbs
-  static constexpr double kStanding = 0.9;       ///< more: a picture without noise in which nothing moves
+  static constexpr int kLongestRun = 4;          ///< images that a driver repeats in a row
   static constexpr double kLittleDepth = 0.05;   ///< share of the pixels
   static constexpr double kFarthest = 150, kNearest = 0.1;  ///< metres, harmonic mean
 
   DepthStep step_;
   Share gaps_, repeats_, few_points_;
+  int run_ = 0;  ///< repeated images, up to the newest
 };
 
 DOT_END_NAMESPACE

@@ -35,14 +35,15 @@ class HiddenPart {
     const Mask& mask = moved.mask;
     const auto nearer = static_cast<float>(1 + tolerance);
     const int middle = (1 << level) / 2;
-    level_ = std::max(level_, level);
     for (int v = 0; v < mask.height(); ++v) {
       const float* measured = inverse_depth.row(mask.y + v) + mask.x;
       for (int u = 0; u < mask.width(); ++u) {
         const float q = moved.inverse_depth(u, v);
         if (mask.pixels(u, v) && std::isfinite(measured[u]) && measured[u] > q * nearer &&
-            !observed.at(((mask.x + u) << level) + middle, ((mask.y + v) << level) + middle))
+            !observed.at(((mask.x + u) << level) + middle, ((mask.y + v) << level) + middle)) {
           pixels_.push_back({mask.x + u, mask.y + v, level, q});
+          level_ = std::max(level_, level);
+        }
       }
     }
   }

@@ -81,6 +81,7 @@ struct TrackedOutline {
       shape.mask = observed;
       shape.median = coarse.median;
       shape.measured = true;
+      shape.inverse_depth.resize(0, 0);  // until `complete`
       shape_frame = frame;
       return;
     }
@@ -88,6 +89,9 @@ struct TrackedOutline {
     if (!make_template(observed, frame->inverse_depth().view(), settings.depth_tolerance, workspace.shape, shape))
       make_flat_template(observed, q, shape);
   }
+
+  /// For an outline that is not needed any more: its memory is kept for another one, the frame must not be.
+  void release_frame() noexcept { shape_frame.reset(); }
 
  private:
   /// Gives the shape its depth, if that was put off.

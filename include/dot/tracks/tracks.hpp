@@ -86,12 +86,17 @@ class Tracks {
 
   /// Drops the tracks that were lost in the frame before.
   void drop_lost() {
+    for (Track& t : tracks_)
+      if (t.lost) t.outline.release_frame();
     tracks_.drop_if([](const Track& t) { return t.lost; });
   }
   /// Forgets all references, so that no earlier frame is compared with. The ids are kept.
   void forget_references();
   /// Drops all tracks. Ids are not used again.
-  void clear() noexcept { tracks_.clear(); }
+  void clear() noexcept {
+    for (Track& t : tracks_) t.outline.release_frame();
+    tracks_.clear();
+  }
 
  private:
   static constexpr int kReach = 32;  ///< pixels; even a small object may move so far unexpectedly

@@ -319,13 +319,10 @@ abi() {
   need_compiler
   need abigail-tools
   [ "$(uname -sm)" = 'Linux x86_64' ] || fail "capi/abi describes the library of 64-bit Linux on x86"
-  say "building the libraries with debug information"
-  cmake -S "$root" -B "$root/build-abi" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DDOT_BUILD_TESTS=ON -DDOT_BUILD_BENCH=OFF \
-    -DDOT_BUILD_EXAMPLES=OFF -DCMAKE_CXX_FLAGS="-ffile-prefix-map=$root/=" >/dev/null
-  cmake --build "$root/build-abi" --parallel "$jobs" --target dot_capi test_core_shared test_core_layout
-  cmake -DNM=nm -DLIBRARY="$root/build-abi/tests/libtest_core_shared.so" -DLAYOUT="$root/build-abi/tests/test_core_layout" \
+  compile test_core_shared test_core_layout test_capi_interface
+  cmake -DNM=nm -DLIBRARY="$build/tests/libtest_core_shared.so" -DLAYOUT="$build/tests/test_core_layout" \
     -DFOLDER="$root/src/abi" ${1:+"-D${1^^}=ON"} -P tests/cmake/core_interface.cmake || fail "see above"
-  local library=$root/build-abi/capi/libdot_capi.so now=$root/build-abi/libdot_capi.abi
+  local library=$build/tests/capi_interface/libdot_capi.so now=$build/libdot_capi.abi
   abidw --exported-interfaces-only --headers-dir capi/include --drop-private-types --drop-undefined-syms --no-show-locs \
     --no-comp-dir-path --no-corpus-path --no-elf-needed --out-file "$now" "$library"
   if [ "${1:-}" = accept ]; then

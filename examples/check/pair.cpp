@@ -29,8 +29,8 @@ std::vector<cv::Point> corners(const cv::Mat& grey, int margin) {
   cv::cornerMinEigenVal(grey, strength, window);
   std::vector<cv::Point> found;
   constexpr int cell = 64;
-  for (int y = margin; y + cell < grey.rows - margin; y += cell)
-    for (int x = margin; x + cell < grey.cols - margin; x += cell) {
+  for (int y = margin; y + cell <= grey.rows - margin; y += cell)
+    for (int x = margin; x + cell <= grey.cols - margin; x += cell) {
       cv::Point at;
       double best = 0;
       cv::minMaxLoc(strength(cv::Rect(x, y, cell, cell)), nullptr, &best, nullptr, &at);

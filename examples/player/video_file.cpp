@@ -13,6 +13,8 @@
 #include <fstream>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
+
+#include "video_backend.hpp"
 #endif
 
 namespace player {
@@ -76,7 +78,7 @@ void VideoFile::add(const cv::Mat& picture) {
 void VideoFile::finish() {
   impl_->writer.release();
   // The writer does not tell of errors, such as a full disk.
-  cv::VideoCapture written(impl_->unfinished().string());
+  cv::VideoCapture written(impl_->unfinished().string(), video_backend());
   const int kept = impl_->pictures == 0 ? 0 : static_cast<int>(std::lround(written.get(cv::CAP_PROP_FRAME_COUNT)));
   std::error_code error;
   if (kept == impl_->pictures) fs::rename(impl_->unfinished(), impl_->path, error);

@@ -1,0 +1,16 @@
+# SPDX-FileCopyrightText: 2026 The dot authors
+# SPDX-License-Identifier: MIT
+
+include(GoogleTest)
+
+# dot_test_program(<target> <module> [LABELS <label>...]): the tests of a GoogleTest program, as <module>.<suite>.<name>.
+# With sanitizers a program takes most of a second to start, so there all of its tests are one, named <module>.
+function(dot_test_program target module)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "LABELS")
+  if(sanitized)
+    add_test(NAME ${module} COMMAND ${target} --gtest_brief=1)
+    set_tests_properties(${module} PROPERTIES TIMEOUT 1200 LABELS "${arg_LABELS}")
+  else()
+    gtest_discover_tests(${target} TEST_PREFIX ${module}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 LABELS "${arg_LABELS}")
+  endif()
+endfunction()

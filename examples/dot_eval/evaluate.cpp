@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "evaluate.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <memory>
@@ -49,24 +50,24 @@ class CameraLog {
   std::vector<double> nees_;
 };
 
-/// Mean times; the first frame takes the buffers and has nothing to compare with.
+/// The first frame does not count: it takes the buffers and has nothing to compare with.
 class TimeLog {
  public:
   void add(const StageTimes& stages, double total) {
     if (++frames_ == 1) return;
     for (std::size_t i = 0; i < stages.size(); ++i) stages_[i] += stages[i];
-    total_ += total;
+    frame_ms_.push_back(total);
   }
 
   void store(RunScore& score) const {
     for (std::size_t i = 0; i < stages_.size(); ++i) score.stage_ms[i] = ratio(stages_[i], frames_ - 1);
-    score.ms_per_frame = ratio(total_, frames_ - 1);
+    score.frame_ms = frame_ms_;
   }
 
  private:
   int frames_ = 0;
   StageTimes stages_{};
-  double total_ = 0;
+  std::vector<double> frame_ms_;
 };
 
 void run(const Arguments& arguments, const std::filesystem::path& folder, const FrameDone& frame_done,
@@ -122,7 +123,8 @@ void run(const Arguments& arguments, const std::filesystem::path& folder, const 
   score.camera = camera.score();
   if (!objects.score().sightings.empty() || !objects.score().pixels.empty()) {
     score.objects = objects.score();
-    score.latency = decision_latency(score.objects->sightings, options.velocity.v0);
+    score.latency =
+        decision_latency(score.objects->sightings, std::min(options.velocity.v0, arguments.scoring.min_speed));
   }
   if (hidden) score.hidden = hidden->score();
   if (delayed) score.late = delayed->report();
@@ -131,6 +133,11 @@ void run(const Arguments& arguments, const std::filesystem::path& folder, const 
 }
 
 }  // namespace
+
+FrameTime frame_time(const std::vector<double>& frame_ms) {
+  if (frame_ms.empty()) return {};
+  return {mean(frame_ms), median(frame_ms), percentile(frame_ms, 99), percentile(frame_ms, 100), frame_ms.front()};
+}
 
 bool has_truth(const runner::Recording& recording) {
   for (const runner::RecordingEntry& entry : recording.entries)

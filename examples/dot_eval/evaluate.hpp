@@ -42,11 +42,19 @@ struct RunScore {
   std::optional<CameraScore> camera;   ///< absent: no true poses
   std::vector<LatencyEvent> latency;
   std::optional<HiddenScore> hidden;
-  real_time::Report late;              ///< where masks come late
-  StageTimes stage_ms{};               ///< means, without the first frame
-  double ms_per_frame = not_a_number;  ///< likewise, all of `track`
-  std::vector<Picture> pictures;       ///< where Arguments::html asks for them
+  real_time::Report late;         ///< where masks come late
+  StageTimes stage_ms{};          ///< means, without the first frame
+  std::vector<double> frame_ms;   ///< all of `track`, of each frame but the first
+  std::vector<Picture> pictures;  ///< where Arguments::html asks for them
 };
+
+/// Time in `track` over the frames of a run but the first, ms.
+struct FrameTime {
+  double mean = not_a_number, median = not_a_number, p99 = not_a_number, largest = not_a_number;
+  double second = not_a_number;  ///< of the second frame, which finds the first motions of all
+};
+
+FrameTime frame_time(const std::vector<double>& frame_ms);
 
 /// Whether there is anything to compare answers with.
 bool has_truth(const runner::Recording& recording);

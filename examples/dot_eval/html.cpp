@@ -107,7 +107,7 @@ std::string tiles(const std::vector<Pooled>& pooled) {
   html += tile("decided", pooled, "%.3f", [](const Pooled& p) { return p.confusion.decided_share(); });
   html += tile("moving mask IoU", pooled, "%.3f", [](const Pooled& p) { return p.mask_iou; });
   html += tile("camera cm, worst", pooled, "%.2f", [](const Pooled& p) { return p.rpe_trans_median_cm; });
-  html += tile("ms a frame", pooled, "%.1f", [](const Pooled& p) { return p.ms_per_frame; });
+  html += tile("ms a frame", pooled, "%.1f", [](const Pooled& p) { return p.frame_time.mean; });
   if (std::any_of(pooled.begin(), pooled.end(), [](const Pooled& p) { return p.hidden.standing > 0; }))
     html += tile("hidden movers found", pooled, "%.3f", [](const Pooled& p) { return p.hidden.found_share(); });
   return html + "</div>\n";
@@ -134,14 +134,14 @@ std::string run_row(const RunScore& run) {
   html += camera("%.2f", [](auto& c) { return c.rpe_trans_max_cm(); });
   html += camera("%.4f", [](auto& c) { return c.rpe_rot_median_deg(); });
   html += camera("%.3f", [](auto& c) { return c.ate_m; });
-  return html + cell("%.1f", run.ms_per_frame) + "</tr>\n";
+  return html + cell("%.1f", frame_time(run.frame_ms).mean) + "</tr>\n";
 }
 
 std::string pooled_row(const Pooled& p) {
   return "<tr class=\"pooled\"><td>all</td><td>" + short_rate(p.every) + "</td>" + decision_cells(p.confusion) +
          cell("%.3f", p.mask_iou) + cell("%.3f", p.instance_iou) + cell("%.0f", p.id_switches) +
          cell("%.2f", p.rpe_trans_median_cm) + cell("%.2f", p.rpe_trans_max_cm) + cell("%.4f", p.rpe_rot_median_deg) +
-         cell("%.3f", p.ate_m) + cell("%.1f", p.ms_per_frame) + "</tr>\n";
+         cell("%.3f", p.ate_m) + cell("%.1f", p.frame_time.mean) + "</tr>\n";
 }
 
 std::string summary(const std::vector<RunScore>& runs, const std::vector<Pooled>& pooled) {
@@ -213,8 +213,8 @@ std::string speed_plots(const std::vector<Pooled>& pooled) {
                               {"missed", "missed", {}}};
     const Answer order[] = {Answer::Moving, Answer::Static, Answer::NotObservable, Answer::Missed};
     for (std::size_t k = 0; k < parts.size(); ++k)
-      for (const AnswerCounts& counts : p.by_speed)
-        parts[k].values.push_back(static_cast<double>(counts[static_cast<std::size_t>(order[k])]));
+      for (const auto& by_range : p.by_speed)
+        parts[k].values.push_back(static_cast<double>(at_all_ranges(by_range)[static_cast<std::size_t>(order[k])]));
     html += card(rate_name(p.every), stacked_shares({540, 240}, names, parts), parts);
   }
   return html + "</div>\n";
@@ -287,7 +287,7 @@ std::string time_plots(const std::vector<RunScore>& runs) {
   for (std::size_t i = 0; i < stage_count; ++i)
     parts.push_back({dot::to_string(static_cast<dot::Stage>(i)), "stage" + std::to_string(i), {}});
   for (const RunScore& run : runs) {
-    if (!run.error.empty() || !std::isfinite(run.ms_per_frame)) continue;
+    if (!run.error.empty() || run.frame_ms.empty()) continue;
     names.push_back(run.name + " " + short_rate(run.every));
     for (std::size_t i = 0; i < stage_count; ++i) parts[i].values.push_back(run.stage_ms[i]);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -18,6 +19,8 @@ struct Watch {
   std::optional<bool> moves;        ///< what it last did beyond doubt
   std::optional<std::size_t> open;  ///< event that waits for its answer
   double since = 0;
+  double seen = 0, speed = 0;  ///< time and speed of the last sighting whose speed is known
+  double metres = 0;           ///< since the event
 };
 
 }  // namespace
@@ -33,6 +36,7 @@ std::vector<LatencyEvent> decision_latency(const std::vector<Sighting>& sighting
     if (fast || slow) {
       if (watch.moves && *watch.moves != fast) {
         watch.open.reset();
+        watch.metres = 0;
         if (sighting.range < max_range && sighting.area >= min_area) {
           watch.open = events.size();
           watch.since = sighting.time;
@@ -41,21 +45,41 @@ std::vector<LatencyEvent> decision_latency(const std::vector<Sighting>& sighting
       }
       watch.moves = fast;
     }
+    if (watch.open && sighting.time > watch.since)
+      watch.metres += 0.5 * (watch.speed + sighting.speed) * (sighting.time - watch.seen);
+    watch.seen = sighting.time;
+    watch.speed = sighting.speed;
     if (!watch.open) continue;
     LatencyEvent& event = events[*watch.open];
     if (sighting.answer != (event.starts ? Answer::Moving : Answer::Static)) continue;
     event.seconds = sighting.time - watch.since;
+    event.metres = watch.metres;
     watch.open.reset();
   }
   return events;
 }
 
-double median_latency(const std::vector<LatencyEvent>& events) {
+std::vector<LatencyEvent> events_of(const std::vector<LatencyEvent>& events, bool starts) {
+  std::vector<LatencyEvent> some;
+  std::copy_if(events.begin(), events.end(), std::back_inserter(some),
+               [&](const LatencyEvent& event) { return event.starts == starts; });
+  return some;
+}
+
+double latency(const std::vector<LatencyEvent>& events, double q) {
   std::vector<double> seconds;
   seconds.reserve(events.size());
   for (const LatencyEvent& event : events)
     seconds.push_back(event.seconds.value_or(std::numeric_limits<double>::infinity()));
-  return median(std::move(seconds));
+  return percentile(std::move(seconds), q);
+}
+
+double displacement(const std::vector<LatencyEvent>& events, double q) {
+  std::vector<double> metres;
+  metres.reserve(events.size());
+  for (const LatencyEvent& event : events)
+    metres.push_back(event.seconds ? event.metres : std::numeric_limits<double>::infinity());
+  return percentile(std::move(metres), q);
 }
 
 }  // namespace eval

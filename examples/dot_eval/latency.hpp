@@ -15,6 +15,7 @@ struct LatencyEvent {
   int frame = 0;
   bool starts = false;
   std::optional<double> seconds;  ///< until the first right answer; none: never given while it lasted
+  double metres = 0;              ///< that it went in this time, by its true speeds
 };
 
 /// Events of near (under 30 m) and large (1,000 pixels or more) objects. An object starts in the first frame at 2 v0 or
@@ -25,7 +26,11 @@ struct LatencyEvent {
 /// @param v0 m/s.
 std::vector<LatencyEvent> decision_latency(const std::vector<Sighting>& sightings, double v0);
 
-/// In seconds; events without an answer count as infinitely long.
-double median_latency(const std::vector<LatencyEvent>& events);
+/// The starts alone, or the stops.
+std::vector<LatencyEvent> events_of(const std::vector<LatencyEvent>& events, bool starts);
+
+/// Percentile q of the seconds, or of the metres; events without an answer count as infinitely long and far.
+double latency(const std::vector<LatencyEvent>& events, double q);
+double displacement(const std::vector<LatencyEvent>& events, double q);
 
 }  // namespace eval

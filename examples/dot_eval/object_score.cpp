@@ -31,14 +31,15 @@ std::uint32_t covering_track(const std::map<std::uint32_t, long>& tracks, long a
 std::size_t speed_class(bool moving, double speed) {
   if (!moving) return 0;
   if (speed < 0) return speed_count - 1;
-  constexpr double limits[] = {0.5, 1, 3, 8};
+  constexpr double limits[] = {0.1, 0.25, 0.5, 1, 3, 8};
   return 1 + static_cast<std::size_t>(std::upper_bound(std::begin(limits), std::end(limits), speed) - limits);
 }
 
-Band* band_of(std::array<Band, band_count>& bands, double range) {
+/// @return band_count if the range is not known.
+std::size_t band_of(double range) {
   for (std::size_t i = 0; i < band_count; ++i)
-    if (range >= band_limits[i] && range < band_limits[i + 1]) return &bands[i];
-  return nullptr;
+    if (range >= band_limits[i] && range < band_limits[i + 1]) return i;
+  return band_count;
 }
 
 Answer answer_of(const dot::ObjectResult* object) {
@@ -69,6 +70,13 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
 }
 
 }  // namespace
+
+AnswerCounts at_all_ranges(const AnswersByRange& by_range) {
+  AnswerCounts all{};
+  for (const AnswerCounts& counts : by_range)
+    for (std::size_t answer = 0; answer < answer_count; ++answer) all[answer] += counts[answer];
+  return all;
+}
 
 void Band::add(const Band& other) {
   confusion.add(other.confusion);
@@ -160,10 +168,11 @@ void ObjectScorer::add_object(const runner::RecordingEntry& entry, const runner:
   const std::uint32_t track = covering_track(region.tracks, region.area);
   const dot::ObjectResult* object = track != 0 ? result.find(track) : nullptr;
   const Answer answer = answer_of(object);
-  Band* band = band_of(score_.bands, range);
+  const std::size_t where = band_of(range);
+  Band* band = where < band_count ? &score_.bands[where] : nullptr;
 
   const bool slow = truth.moving && truth.speed >= 0 && truth.speed < scoring_.min_speed;
-  ++score_.by_speed[speed_class(truth.moving, truth.speed)][static_cast<std::size_t>(answer)];
+  ++score_.by_speed[speed_class(truth.moving, truth.speed)][where][static_cast<std::size_t>(answer)];
   if (!slow) score_.confusion.add(truth.moving, answer);
   if (!slow && band != nullptr) band->confusion.add(truth.moving, answer);
   if (object == nullptr) return;

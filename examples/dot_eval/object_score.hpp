@@ -19,8 +19,13 @@ constexpr std::size_t band_count = 4;
 constexpr double band_limits[band_count + 1] = {0, 15, 30, 60, 1e9};
 constexpr const char* band_names[band_count] = {"0-15", "15-30", "30-60", "60+"};
 
-constexpr std::size_t speed_count = 7;
-constexpr const char* speed_names[speed_count] = {"0", "0-0.5", "0.5-1", "1-3", "3-8", "8+", "unknown"};
+constexpr std::size_t speed_count = 9;
+constexpr const char* speed_names[speed_count] = {"0",   "0-0.1", "0.1-0.25", "0.25-0.5", "0.5-1",
+                                                  "1-3", "3-8",   "8+",       "unknown"};
+/// By band of range; the last are those whose range is not known.
+using AnswersByRange = std::array<AnswerCounts, band_count + 1>;
+using AnswersBySpeed = std::array<AnswersByRange, speed_count>;
+AnswerCounts at_all_ranges(const AnswersByRange& by_range);
 
 /// Objects of one band of range.
 struct Band {
@@ -60,7 +65,7 @@ struct Sighting {
 /// What a run says of objects.
 struct ObjectScore {
   Confusion confusion;
-  std::array<AnswerCounts, speed_count> by_speed{};
+  AnswersBySpeed by_speed{};
   std::array<Band, band_count> bands;
   std::vector<FramePixels> pixels;
   std::vector<double> instance_iou;

@@ -35,7 +35,8 @@ double near_median(const std::array<Band, band_count>& bands, std::vector<double
 Pooled pool(const std::vector<RunScore>& runs, int every, int first_rate) {
   Pooled p;
   p.every = every;
-  std::vector<double> ious, ratios, instance_ious, speed, sigma, motion, rpe_median, rpe, rpe_max, rot, ate, nees, ms;
+  std::vector<double> ious, ratios, instance_ious, speed, sigma, motion, rpe_median, rpe, rpe_max, rot, ate, nees;
+  std::vector<double> ms, median_ms, p99_ms, largest_ms, second_ms;
   for (const RunScore& run : runs) {
     if (run.every != every) continue;
     ++p.runs;
@@ -43,8 +44,13 @@ Pooled pool(const std::vector<RunScore>& runs, int every, int first_rate) {
       ++p.failed;
       continue;
     }
-    keep(ms, run.ms_per_frame);
-    if (std::isfinite(run.ms_per_frame))
+    const FrameTime time = frame_time(run.frame_ms);
+    keep(ms, time.mean);
+    keep(median_ms, time.median);
+    keep(p99_ms, time.p99);
+    keep(largest_ms, time.largest);
+    keep(second_ms, time.second);
+    if (std::isfinite(time.mean))
       for (std::size_t i = 0; i < stage_count; ++i) p.stage_ms[i] += run.stage_ms[i];
     p.latency.insert(p.latency.end(), run.latency.begin(), run.latency.end());
     if (run.hidden) p.hidden.add(*run.hidden);
@@ -61,8 +67,9 @@ Pooled pool(const std::vector<RunScore>& runs, int every, int first_rate) {
     p.confusion.add(objects.confusion);
     for (std::size_t i = 0; i < band_count; ++i) p.bands[i].add(objects.bands[i]);
     for (std::size_t i = 0; i < speed_count; ++i)
-      for (std::size_t answer = 0; answer < answer_count; ++answer)
-        p.by_speed[i][answer] += objects.by_speed[i][answer];
+      for (std::size_t b = 0; b <= band_count; ++b)
+        for (std::size_t answer = 0; answer < answer_count; ++answer)
+          p.by_speed[i][b][answer] += objects.by_speed[i][b][answer];
     keep(ious, objects.mask_iou());
     const double reference = first_iou(runs, run.name, first_rate);
     keep(ratios, ratio(objects.mask_iou(), reference));
@@ -73,7 +80,7 @@ Pooled pool(const std::vector<RunScore>& runs, int every, int first_rate) {
     keep(motion, objects.motion_coverage());
   }
   for (double& stage : p.stage_ms) stage = ratio(stage, static_cast<double>(ms.size()));
-  p.ms_per_frame = mean(ms);
+  p.frame_time = {mean(ms), mean(median_ms), largest(p99_ms), largest(largest_ms), largest(second_ms)};
   p.mask_iou = mean(ious);
   p.iou_ratio_mean = mean(ratios);
   p.iou_ratio_min = least(ratios);

@@ -17,7 +17,7 @@ struct Pooled {
   int failed = 0;
   Confusion confusion;
   std::array<Band, band_count> bands;
-  std::array<AnswerCounts, speed_count> by_speed{};
+  AnswersBySpeed by_speed{};
   double mask_iou = not_a_number;
   double iou_ratio_mean = not_a_number;
   double iou_ratio_min = not_a_number;
@@ -38,7 +38,7 @@ struct Pooled {
   std::vector<LatencyEvent> latency;
   HiddenScore hidden;
   StageTimes stage_ms{};  ///< means over the runs
-  double ms_per_frame = not_a_number;
+  FrameTime frame_time;   ///< means over the runs, but p99, largest and second of the worst
 };
 
 /// @param runs all of them; those with an error count as failed.

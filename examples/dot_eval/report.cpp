@@ -56,9 +56,16 @@ Json bands(const std::array<Band, band_count>& list) {
   return json;
 }
 
-Json speeds(const std::array<AnswerCounts, speed_count>& by_speed) {
+Json speeds(const AnswersBySpeed& by_speed) {
   Json json = Json::object({});
-  for (std::size_t i = 0; i < speed_count; ++i) json.set(speed_names[i], answers(by_speed[i]));
+  for (std::size_t i = 0; i < speed_count; ++i) {
+    Json speed = answers(at_all_ranges(by_speed[i]));
+    Json by_range = Json::object({});
+    for (std::size_t b = 0; b <= band_count; ++b)
+      by_range.set(b < band_count ? band_names[b] : "unknown", answers(by_speed[i][b]));
+    speed.set("by_range_m", std::move(by_range));
+    json.set(speed_names[i], std::move(speed));
+  }
   return json;
 }
 
@@ -90,14 +97,24 @@ Json camera(const CameraScore& c) {
   return json;
 }
 
-Json latency(const std::vector<LatencyEvent>& events) {
+Json latencies(const std::vector<LatencyEvent>& events) {
   Json list = Json::array();
   for (const LatencyEvent& event : events)
     list.push(Json::object({{"id", event.id},
                             {"frame", event.frame},
                             {"event", event.starts ? "starts" : "stops"},
-                            {"seconds", event.seconds ? Json(*event.seconds) : Json()}}));
-  return Json::object({{"median_s", median_latency(events)}, {"events", std::move(list)}});
+                            {"seconds", event.seconds ? Json(*event.seconds) : Json()},
+                            {"metres", event.seconds ? Json(event.metres) : Json()}}));
+  return Json::object({{"median_s", latency(events, 50)}, {"events", std::move(list)}});
+}
+
+Json told(const std::vector<LatencyEvent>& events, bool starts) {
+  const std::vector<LatencyEvent> some = events_of(events, starts);
+  return Json::object({{"events", static_cast<long>(some.size())},
+                       {"median_s", latency(some, 50)},
+                       {"worst_s", latency(some, 100)},
+                       {"median_m", displacement(some, 50)},
+                       {"worst_m", displacement(some, 100)}});
 }
 
 Json hidden(const HiddenScore& h) {
@@ -106,6 +123,14 @@ Json hidden(const HiddenScore& h) {
                        {"found_share", h.found_share()},
                        {"standing_pixels", h.standing},
                        {"false_share", h.false_share()}});
+}
+
+Json frame_times(const FrameTime& t) {
+  return Json::object({{"mean_ms", t.mean},
+                       {"median_ms", t.median},
+                       {"p99_ms", t.p99},
+                       {"largest_ms", t.largest},
+                       {"second_frame_ms", t.second}});
 }
 
 Json times(const StageTimes& stages, double total) {
@@ -146,11 +171,13 @@ Json run_json(const RunScore& run) {
     return json;
   }
   json.set("frames", run.frames);
-  json.set("ms_per_frame", run.ms_per_frame);
-  json.set("stage_ms", times(run.stage_ms, run.ms_per_frame));
+  const FrameTime time = frame_time(run.frame_ms);
+  json.set("ms_per_frame", time.mean);
+  json.set("time", frame_times(time));
+  json.set("stage_ms", times(run.stage_ms, time.mean));
   if (run.objects) {
     set_objects(json, *run.objects);
-    json.set("latency", latency(run.latency));
+    json.set("latency", latencies(run.latency));
   }
   if (run.camera) json.set("camera", camera(*run.camera));
   if (run.hidden) json.set("hidden_movers", hidden(*run.hidden));
@@ -184,10 +211,12 @@ Json pooled_json(const Pooled& p) {
   json.set("by_range_m", bands(p.bands));
   json.set("confusion", confusion_counts(p.confusion));
   json.set("by_true_speed_mps", speeds(p.by_speed));
-  json.set("latency_median_s", median_latency(p.latency));
+  json.set("latency_median_s", latency(p.latency, 50));
   json.set("latency_events", static_cast<long>(p.latency.size()));
+  for (const bool starts : {true, false}) json.set(starts ? "starts" : "stops", told(p.latency, starts));
   if (p.hidden.standing > 0) json.set("hidden_movers", hidden(p.hidden));
-  json.set("stage_ms", times(p.stage_ms, p.ms_per_frame));
+  json.set("time", frame_times(p.frame_time));
+  json.set("stage_ms", times(p.stage_ms, p.frame_time.mean));
   return json;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <string>
 
 namespace eval {
@@ -37,7 +38,8 @@ std::vector<std::string> row_of(const RunScore& run) {
   row.push_back(run.camera ? number("%.4f", run.camera->rpe_rot_median_deg()) : "-");
   row.push_back(run.camera ? number("%.2f", run.camera->rpe_trans_max_cm()) : "-");
   row.push_back(run.objects ? std::to_string(run.objects->id_switches) : "-");
-  row.push_back(number("%.1f", run.ms_per_frame));
+  const FrameTime time = frame_time(run.frame_ms);
+  append(row, {number("%.1f", time.mean), number("%.1f", time.p99)});
   return row;
 }
 
@@ -45,13 +47,14 @@ std::vector<std::string> row_of(const Pooled& p) {
   std::vector<std::string> row{"POOLED", rate(p.every)};
   append(row, decisions(p.confusion));
   append(row, {share(p.mask_iou), number("%.2f", p.rpe_trans_median_cm), number("%.4f", p.rpe_rot_median_deg),
-               number("%.2f", p.rpe_trans_max_cm), std::to_string(p.id_switches), number("%.1f", p.ms_per_frame)});
+               number("%.2f", p.rpe_trans_max_cm), std::to_string(p.id_switches), number("%.1f", p.frame_time.mean),
+               number("%.1f", p.frame_time.p99)});
   return row;
 }
 
 std::string decision_table(const std::vector<RunScore>& runs, const std::vector<Pooled>& pooled) {
   Table table({"sequence", "rate", "objfr", "F1", "prec", "recall", "decid", "st>mov", "kept", "IoU", "cm", "deg",
-               "max.cm", "ids", "ms"});
+               "max.cm", "ids", "ms", "p99"});
   for (const Pooled& p : pooled) {
     for (const RunScore& run : runs)
       if (run.every == p.every) table.add(row_of(run));
@@ -85,8 +88,16 @@ std::string pooled_table(const std::vector<Pooled>& pooled) {
   add("  of T_o", "%.3f", [](auto& p) { return p.motion_coverage; });
   add("camera: ATE, worst sequence, m", "%.3f", [](auto& p) { return p.ate_m; });
   add("  NEES per axis, median", "%.3f", [](auto& p) { return p.camera_nees; });
-  add("decision latency, median, s", "%.2f", [](auto& p) { return median_latency(p.latency); });
-  add("  events", "%.0f", [](auto& p) { return static_cast<double>(p.latency.size()); });
+  for (const bool starts : {true, false}) {
+    const auto of = [starts](auto& p) { return events_of(p.latency, starts); };
+    add(starts ? "objects that start" : "objects that stop", "%.0f",
+        [&](auto& p) { return static_cast<double>(of(p).size()); });
+    add("  told after, median, s", "%.2f", [&](auto& p) { return latency(of(p), 50); });
+    add("  the last one, s", "%.2f", [&](auto& p) { return latency(of(p), 100); });
+    if (!starts) continue;
+    add("  had gone until then, median, m", "%.2f", [&](auto& p) { return displacement(of(p), 50); });
+    add("  at most, m", "%.2f", [&](auto& p) { return displacement(of(p), 100); });
+  }
   if (std::any_of(pooled.begin(), pooled.end(), [](auto& p) { return p.hidden.standing > 0; })) {
     add("hidden movers: share of their pixels found", "%.3f", [](auto& p) { return p.hidden.found_share(); });
     add("  pixels that do not move called moving", "%.4f", [](auto& p) { return p.hidden.false_share(); });
@@ -94,8 +105,33 @@ std::string pooled_table(const std::vector<Pooled>& pooled) {
   for (std::size_t i = 0; i < stage_count; ++i)
     add((i == 0 ? "ms a frame: " : "  ") + std::string(dot::to_string(static_cast<dot::Stage>(i))), "%.2f",
         [i](auto& p) { return p.stage_ms[i]; });
-  add("  all", "%.2f", [](auto& p) { return p.ms_per_frame; });
+  add("  all", "%.2f", [](auto& p) { return p.frame_time.mean; });
+  add("  all, median", "%.2f", [](auto& p) { return p.frame_time.median; });
+  add("  99 of 100 frames, worst sequence", "%.2f", [](auto& p) { return p.frame_time.p99; });
+  add("  the slowest frame", "%.2f", [](auto& p) { return p.frame_time.largest; });
+  add("  the second frame, worst sequence", "%.2f", [](auto& p) { return p.frame_time.second; });
   return table.text();
+}
+
+/// Of what moves more slowly than most scores count, how much is called moving and static.
+std::string slow_table(const std::vector<Pooled>& pooled) {
+  std::vector<std::string> header{"called moving, static, of"};
+  for (const char* const band : band_names) header.push_back(std::string(band) + " m");
+  Table table(header);
+  bool any = false;
+  for (const Pooled& p : pooled)
+    for (std::size_t i = 1; i < speed_count && std::string(speed_names[i]) != "3-8"; ++i) {
+      std::vector<std::string> row{rate(p.every) + "  " + speed_names[i] + " m/s"};
+      for (std::size_t b = 0; b < band_count; ++b) {
+        const AnswerCounts& counts = p.by_speed[i][b];
+        const long all = std::accumulate(counts.begin(), counts.end(), 0L);
+        const auto of = [&](Answer answer) { return std::to_string(counts[static_cast<std::size_t>(answer)]); };
+        row.push_back(all > 0 ? of(Answer::Moving) + ", " + of(Answer::Static) + ", " + std::to_string(all) : "-");
+        any = any || all > 0;
+      }
+      table.add(std::move(row));
+    }
+  return any ? '\n' + table.text() : "";
 }
 
 std::string latency_lines(const std::vector<RunScore>& runs) {
@@ -103,7 +139,8 @@ std::string latency_lines(const std::vector<RunScore>& runs) {
   for (const RunScore& run : runs) {
     for (const LatencyEvent& event : run.latency) {
       const std::string what =
-          event.seconds ? (event.starts ? "moving after " : "static after ") + number("%.2f s", *event.seconds)
+          event.seconds ? (event.starts ? "moving after " : "static after ") + number("%.2f s", *event.seconds) +
+                              (event.starts ? number(" and %.2f m", event.metres) : "")
                         : std::string(event.starts ? "never called moving" : "never called static");
       text += run.name + " " + rate(run.every) + ": object " + std::to_string(event.id) +
               (event.starts ? " starts" : " stops") + " in frame " + std::to_string(event.frame) + ", " + what + '\n';
@@ -151,7 +188,7 @@ std::string stretch_lines(const std::vector<RunScore>& runs) {
 
 std::string text_table(const std::vector<RunScore>& runs, const std::vector<Pooled>& pooled) {
   const std::string stretches = stretch_lines(runs);
-  return decision_table(runs, pooled) + '\n' + pooled_table(pooled) + latency_lines(runs) +
+  return decision_table(runs, pooled) + '\n' + pooled_table(pooled) + slow_table(pooled) + latency_lines(runs) +
          "\ncamera error over stretches of 100 to 800 m" +
          (stretches.empty() ? ": absent, no path is long enough\n" : '\n' + stretches);
 }

@@ -131,10 +131,12 @@ void Summary::print(const OutputPaths& output, const std::string& remarks) const
     std::printf("depth     disparities off by %.2f px (RMS over the image, as learnt); corrected\n",
                 disparity_bias_px_);
   print_suspicions();
-  if (f.frames > 1)
-    std::printf("time      %.1f ms a frame, median %.1f (tracking alone, without the first frame)\n", f.ms_per_frame,
-                percentile(steady_ms(), 50));
-  else
+  if (f.frames > 1) {
+    const std::vector<double> ms = steady_ms();
+    std::printf(
+        "time      %.1f ms a frame, median %.1f, p99 %.1f, at most %.1f (tracking alone, without the first frame)\n",
+        f.ms_per_frame, percentile(ms, 50), percentile(ms, 99), percentile(ms, 100));
+  } else
     std::printf("time      %.1f ms (first frame)\n", f.ms_per_frame);
 
   print_files(output);

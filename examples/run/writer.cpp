@@ -88,15 +88,20 @@ void write_object(std::ostream& out, int frame, const dot::ObjectResult& o) {
   const bool fused = o.fused_covariance[0] > 0;
   for (const double v : o.fused_velocity) optional_field(v, fused);
   for (std::size_t axis = 0; axis < 3; ++axis) optional_field(sigma(o.fused_covariance, axis), fused);
-  out << ',' << o.area << ',' << o.class_id << ',' << o.segmented << ',' << o.always_dynamic << ',' << o.discovered
-      << '\n';
+  out << ',' << o.area << ',' << o.class_id << ',' << o.segmented << ',' << o.always_dynamic << ',' << o.discovered;
+  field(o.point_speed);
+  field(o.point_speed_sigma);
+  for (const double w : o.angular_velocity) field(w);
+  for (std::size_t axis = 0; axis < 3; ++axis) field(sigma(o.angular_covariance, axis));
+  out << '\n';
 }
 
 constexpr const char* object_columns =
     "frame,track_id,state,speed_mps,p_moving,disparity_px,entropy,phi,n_points,vx,vy,vz,sigma_vx,sigma_vy,sigma_vz,"
     "T00,T01,T02,T03,T10,T11,T12,T13,T20,T21,T22,T23,reason,"
     "n_inliers,disparity_noise_px,range_m,interval_s,fused_vx,fused_vy,fused_vz,"
-    "sigma_fused_vx,sigma_fused_vy,sigma_fused_vz,pixels,class,segmented,always_dynamic,discovered\n";
+    "sigma_fused_vx,sigma_fused_vy,sigma_fused_vz,pixels,class,segmented,always_dynamic,discovered,"
+    "point_speed_mps,sigma_point_speed,wx,wy,wz,sigma_wx,sigma_wy,sigma_wz\n";
 
 constexpr std::size_t stage_count = static_cast<std::size_t>(dot::Stage::Count);
 

@@ -18,7 +18,7 @@ _FOLDERS, _TABLES = ("labels", "instances"), ("camera.txt", "objects.csv")
 _COLUMNS = ("frame,track_id,state,speed_mps,p_moving,disparity_px,entropy,phi,n_points,vx,vy,vz,sigma_vx,sigma_vy,"
             "sigma_vz,T00,T01,T02,T03,T10,T11,T12,T13,T20,T21,T22,T23,reason,n_inliers,disparity_noise_px,range_m,"
             "interval_s,fused_vx,fused_vy,fused_vz,sigma_fused_vx,sigma_fused_vy,sigma_fused_vz,pixels,class,"
-            "segmented,always_dynamic,discovered")
+            "segmented,always_dynamic,discovered,point_speed_mps,sigma_point_speed,wx,wy,wz,sigma_wx,sigma_wy,sigma_wz")
 _STATES = {state: state.name.lower() for state in State} | {State.NOT_OBSERVABLE: "unobservable"}
 
 
@@ -82,3 +82,6 @@ def _row(number: int, o: Object) -> Iterator[str]:
     yield from some(o.fused_velocity, fused)
     yield from some(np.sqrt(o.fused_covariance.diagonal()), fused)
     yield from (str(o.area), str(o.class_id), f"{o.segmented:d}", f"{o.always_dynamic:d}", f"{o.discovered:d}")
+    yield from some([o.point_speed, o.point_speed_sigma], measured)
+    yield from some(o.angular_velocity, measured)
+    yield from some(np.sqrt(o.angular_covariance.diagonal()), measured)

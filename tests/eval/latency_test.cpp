@@ -32,6 +32,7 @@ TEST(Latency, OfAStart) {
   EXPECT_EQ(events[0].frame, 2);
   ASSERT_TRUE(events[0].seconds);
   EXPECT_NEAR(*events[0].seconds, 0.2, 1e-12);
+  EXPECT_NEAR(events[0].metres, 0.1 * (1.5 + 2.5), 1e-12);  // at 1, 2 and 3 m/s
 }
 
 TEST(Latency, OfAStop) {
@@ -54,7 +55,7 @@ TEST(Latency, TheWaitEndsWithTheOppositeEvent) {
   ASSERT_EQ(events.size(), 2U);
   EXPECT_FALSE(events[0].seconds);
   EXPECT_NEAR(events[1].seconds.value(), 0, 1e-12);
-  EXPECT_TRUE(std::isinf(median_latency({events[0]})));
+  EXPECT_TRUE(std::isinf(latency({events[0]}, 50)));
 }
 
 TEST(Latency, TheWaitEndsWithTheOppositeEventAlsoFarAway) {
@@ -80,9 +81,21 @@ TEST(Latency, UnknownSpeedsSayNothing) {
 }
 
 TEST(Latency, MedianCountsEventsWithoutAnAnswerAsEndless) {
-  const LatencyEvent quick{1, 0, true, 0.1}, slow{2, 0, true, 0.5}, never{3, 0, true, {}};
-  EXPECT_DOUBLE_EQ(median_latency({quick, never, slow}), 0.5);
-  EXPECT_TRUE(std::isnan(median_latency({})));
+  const LatencyEvent quick{1, 0, true, 0.1, 0.2}, slow{2, 0, true, 0.5, 3}, never{3, 0, true, {}};
+  EXPECT_DOUBLE_EQ(latency({quick, never, slow}, 50), 0.5);
+  EXPECT_TRUE(std::isinf(latency({quick, never, slow}, 100)));
+  EXPECT_DOUBLE_EQ(displacement({quick, slow}, 100), 3);
+  EXPECT_TRUE(std::isnan(latency({}, 50)));
+}
+
+TEST(Latency, StartsAndStopsApart) {
+  const auto events = decision_latency(
+      film({{0, Answer::Static}, {2, Answer::Moving}, {2, Answer::Moving}, {0, Answer::Moving}, {0, Answer::Static}}),
+      v0);
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(events_of(events, true).size(), 1U);
+  ASSERT_EQ(events_of(events, false).size(), 1U);
+  EXPECT_EQ(events_of(events, false)[0].frame, 3);
 }
 
 }  // namespace

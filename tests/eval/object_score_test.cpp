@@ -62,8 +62,8 @@ TEST(ObjectScore, CountsAnswersByTruth) {
   EXPECT_DOUBLE_EQ(score.confusion.recall(), 0.5);
   EXPECT_DOUBLE_EQ(score.confusion.f1(), 2.0 / 3);
   EXPECT_DOUBLE_EQ(score.confusion.decided_share(), 2.0 / 3);
-  EXPECT_EQ(score.by_speed[4][static_cast<std::size_t>(Answer::Moving)], 1);  // 3 to 8 m/s
-  EXPECT_EQ(score.by_speed[0][static_cast<std::size_t>(Answer::Static)], 1);
+  EXPECT_EQ(at_all_ranges(score.by_speed[6])[static_cast<std::size_t>(Answer::Moving)], 1);  // 3 to 8 m/s
+  EXPECT_EQ(at_all_ranges(score.by_speed[0])[static_cast<std::size_t>(Answer::Static)], 1);
   EXPECT_EQ(score.bands[0].confusion.total(), 3);
 }
 
@@ -99,7 +99,7 @@ TEST(ObjectScore, SlowMoversCountBySpeedAlone) {
   answer.add(7, State::Moving, place_a);
   const ObjectScore score = score_twice(scene, answer);
   EXPECT_EQ(score.confusion.total(), 0);
-  EXPECT_EQ(score.by_speed[2][static_cast<std::size_t>(Answer::Moving)], 1);  // 0.5 to 1 m/s
+  EXPECT_EQ(at_all_ranges(score.by_speed[4])[static_cast<std::size_t>(Answer::Moving)], 1);  // 0.5 to 1 m/s
   EXPECT_EQ(score.pixels[1].moving, 0);
   EXPECT_EQ(score.pixels[1].wrong, 0);
   ObjectScoring slower;

@@ -23,7 +23,7 @@ RunScore run(const std::string& name, int every, long correct, double step_cm) {
   score.camera.emplace();
   score.camera->step_cm = {step_cm};
   score.camera->step_deg = {0.1};
-  score.ms_per_frame = 10;
+  score.frame_ms = {25, 5, 6, 4};
   score.stage_ms.fill(1);
   return score;
 }
@@ -40,7 +40,11 @@ TEST(Pool, AddsObjectsAndAveragesMasks) {
   EXPECT_DOUBLE_EQ(fourth.iou_ratio_mean, 0.75);
   EXPECT_DOUBLE_EQ(fourth.iou_ratio_min, 0.5);
   EXPECT_DOUBLE_EQ(fourth.stage_ms[0], 1);
-  EXPECT_DOUBLE_EQ(fourth.ms_per_frame, 10);
+  EXPECT_DOUBLE_EQ(fourth.frame_time.mean, 10);
+  EXPECT_DOUBLE_EQ(fourth.frame_time.median, 5.5);
+  EXPECT_DOUBLE_EQ(fourth.frame_time.p99, 25 - 0.03 * 19);
+  EXPECT_DOUBLE_EQ(fourth.frame_time.largest, 25);
+  EXPECT_DOUBLE_EQ(fourth.frame_time.second, 25);
 }
 
 TEST(Pool, FailedRunsAndRunsWithoutMoversAreLeftOut) {
@@ -59,7 +63,7 @@ TEST(Pool, NothingIsNotANumber) {
   const Pooled pooled = pool({}, 1, 1);
   EXPECT_TRUE(std::isnan(pooled.confusion.f1()));
   EXPECT_TRUE(std::isnan(pooled.mask_iou));
-  EXPECT_TRUE(std::isnan(pooled.ms_per_frame));
+  EXPECT_TRUE(std::isnan(pooled.frame_time.mean));
 }
 
 }  // namespace

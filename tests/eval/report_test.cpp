@@ -27,13 +27,13 @@ std::vector<RunScore> runs() {
     good.objects->confusion.add(true, Answer::Moving);
     good.objects->confusion.add(false, Answer::Missed);
     good.objects->pixels = {{0, 100, 0, 0}, {1, 90, 80, 4}, {2, 120, 115, 200}};
-    good.objects->by_speed[0] = {1, 2, 3, 4};
+    good.objects->by_speed[0][1] = {1, 2, 3, 4};
     good.camera.emplace();
     good.camera->frames = 3;
     good.camera->step_cm = {0.5, 12};
     good.camera->step_deg = {0.01, 0.02};
     good.latency = {{4, 2, true, 0.3}, {5, 7, false, {}}};
-    good.ms_per_frame = 20;
+    good.frame_ms = {20};
     good.stage_ms.fill(3);
     good.pictures = {{1, "a & b", {0xFF, 0xD8, 0xFF}}};
     list.push_back(good);

@@ -40,3 +40,8 @@ expect 1 '000003.png' "$work/seq" --check
 expect 1 'no such' "$work/nothing" --check
 expect 2 '--html needs --check' "$sample" --html "$work/a.html"
 expect 2 '--html' "$sample" --check --html "$work/a.txt"
+if [ -e /dev/full ]; then
+  status=0
+  "$dot_run" "$sample" --check --json >/dev/full 2>"$work/stderr" || status=$?
+  [ "$status" -eq 1 ] && grep -q 'standard output: cannot be written' "$work/stderr" || fail "a report that is lost has status $status"
+fi

@@ -134,7 +134,7 @@ hold stopped
 ends "a single run into its folder" 1 "stopped/held/run.log: another run is writing to this folder" last --out stopped/held
 kill -TERM -- "-$runner" # to all of the group, as a batch system does
 wait_until grep -q "waiting for the frames of 1 sequences" stderr
-cp kept.png held/rgb/000010.png # the frame comes, and is the last one
+timeout 60 cp kept.png held/rgb/000010.png || fail "stopped: held waits for no frame" # it comes, and is the last one
 wait "$runner"
 got=$?
 runner=

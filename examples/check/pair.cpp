@@ -174,7 +174,9 @@ Findings check_pair(const Samples& samples) {
   const auto none = [](const std::string& why) {
     return Findings{unknown("pair-rows", why), unknown("disparity-bias", why)};
   };
-  if (!any) return none("There are no right images.");
+  if (!any)
+    return none(samples.recording.distortion ? "The images have distortion: a pair must be rectified."
+                                             : "There are no right images.");
   const std::vector<Point> points = match(samples);
   if (points.size() < least_points) return none("Too few points are found in both images.");
   Findings findings{rows_finding(points)};

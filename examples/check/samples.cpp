@@ -73,7 +73,9 @@ Samples read_samples(const runner::SequenceOptions& options) {
   samples.depth_from_pair = !recording.entries[0].right.empty();
   if (samples.depth_from_pair) stereo.emplace(recording.intrinsics);
   const fs::path right_folder = options.folder / "right";
-  const bool pair = samples.depth_from_pair || (recording.intrinsics.baseline > 0 && fs::is_directory(right_folder));
+  // The distortion is that of the left lens alone.
+  const bool pair = samples.depth_from_pair ||
+                    (!recording.distortion && recording.intrinsics.baseline > 0 && fs::is_directory(right_folder));
 
   for (const std::size_t index : chosen(recording.entries.size(), size.area())) {
     const runner::RecordingEntry& entry = recording.entries[index];

@@ -110,9 +110,14 @@ ChildProcess::~ChildProcess() {
 
 std::optional<Ending> ChildProcess::ended() {
   int status = 0;
-  if (waitpid(pid_, &status, WNOHANG) != pid_) return std::nullopt;
+  const pid_t pid = waitpid(pid_, &status, WNOHANG);
+  if (pid == 0 || (pid < 0 && errno == EINTR)) return std::nullopt;
   pid_ = 0;
   Ending ending;
+  if (pid < 0) {
+    ending.reason = std::string("how it has ended is not known: ") + std::strerror(errno);
+    return ending;
+  }
   ending.good = WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS;
   if (ending.good) return ending;
   ending.reason = read_all(reason_in_);
@@ -127,9 +132,9 @@ void ChildProcess::ask_to_stop() const {
   if (pid_ > 0) kill(pid_, SIGTERM);
 }
 
-void write_output_to(const std::string& path, std::chrono::milliseconds patience) {
-  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-  if (file < 0) throw runner::FileError(path + ": cannot be written: " + std::strerror(errno));
+namespace {
+
+void lock(int file, const std::string& path, std::chrono::milliseconds patience) {
   const auto end = std::chrono::steady_clock::now() + patience;
   while (flock(file, LOCK_EX | LOCK_NB) != 0) {
     // A file system without locks has none to respect.
@@ -138,10 +143,23 @@ void write_output_to(const std::string& path, std::chrono::milliseconds patience
       throw runner::FileError(path + ": another run is writing to this folder");
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
+}
+
+}  // namespace
+
+void write_output_to(const std::string& path, std::chrono::milliseconds patience) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (file < 0) throw runner::FileError(path + ": cannot be written: " + std::strerror(errno));
+  lock(file, path, patience);
   std::fflush(nullptr);
   if (ftruncate(file, 0) != 0 || dup2(file, STDOUT_FILENO) < 0 || dup2(file, STDERR_FILENO) < 0)
     throw runner::FileError(path + ": cannot be written: " + std::strerror(errno));
   close(file);
+}
+
+void keep_output_file(const std::string& path, std::chrono::milliseconds patience) {
+  const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file >= 0) lock(file, path, patience);
 }
 
 }  // namespace dataset

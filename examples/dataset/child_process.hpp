@@ -46,4 +46,8 @@ class ChildProcess {
 /// @throws runner::FileError when the file cannot be written, or another process keeps it.
 void write_output_to(const std::string& path, std::chrono::milliseconds patience = std::chrono::seconds(5));
 
+/// Keeps a file of write_output_to, if there is one, from other processes until this one ends.
+/// @throws runner::FileError when another process keeps it.
+void keep_output_file(const std::string& path, std::chrono::milliseconds patience = std::chrono::seconds(5));
+
 }  // namespace dataset

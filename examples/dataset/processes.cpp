@@ -3,6 +3,7 @@
 #include "processes.hpp"
 
 #include <chrono>
+#include <csignal>
 #include <exception>
 #include <map>
 #include <optional>
@@ -12,6 +13,7 @@ namespace dataset {
 
 void Processes::run(const std::vector<std::size_t>& jobs, const std::atomic<bool>& stop) const {
   constexpr std::chrono::milliseconds pause(10);
+  std::signal(SIGCHLD, SIG_DFL);  // where the one who has started this program ignores it, no ending would be known
   std::map<std::size_t, ChildProcess> running;
   bool told = false;
   for (auto next = jobs.begin(); (next != jobs.end() && !stop) || !running.empty();) {

@@ -40,7 +40,7 @@ struct Confusion {
 
   double precision() const { return share(of_moving(Answer::Moving), called_moving()); }
   double recall() const { return share(of_moving(Answer::Moving), moving_total()); }
-  double f1() const { return ratio(2 * precision() * recall(), precision() + recall()); }
+  double f1() const { return share(2 * of_moving(Answer::Moving), called_moving() + moving_total()); }
   double decided_share() const { return share(decided(), total()); }
   double decided_accuracy() const { return share(correct(), decided()); }
   double missed_share() const { return share(of_moving(Answer::Missed) + of_standing(Answer::Missed), total()); }

@@ -89,7 +89,7 @@ void run(const Arguments& arguments, const std::filesystem::path& folder, const 
 
   ObjectScorer objects(arguments.scoring);
   std::optional<HiddenMovers> hidden;
-  if (arguments.hide_movers) hidden.emplace(recording, arguments.scoring.min_speed);
+  if (arguments.hide_movers) hidden.emplace(recording, arguments.scoring);
   std::optional<real_time::DelayedMasks> delayed;
   if (score.network_seconds) delayed.emplace(real_time::recorded_masks(*score.network_seconds), tracker);
   CameraLog camera;
@@ -110,7 +110,7 @@ void run(const Arguments& arguments, const std::filesystem::path& folder, const 
 
     if (writer) writer->write(frame, result, total.count());
     const FramePixels pixels = objects.add(entry, truth, i > 0 ? &recording.entries[index - 1].truth : nullptr, result);
-    if (hidden) hidden->add(entry.truth, truth.instance, result);
+    if (hidden) hidden->add(entry, truth.instance, result);
     camera.add(entry.truth.camera, result.camera);
     times.add(result.stage_ms, total.count());
     if (!arguments.html.empty())
@@ -123,8 +123,8 @@ void run(const Arguments& arguments, const std::filesystem::path& folder, const 
   score.camera = camera.score();
   if (!objects.score().sightings.empty() || !objects.score().pixels.empty()) {
     score.objects = objects.score();
-    score.latency =
-        decision_latency(score.objects->sightings, std::min(options.velocity.v0, arguments.scoring.min_speed));
+    score.latency = decision_latency(
+        score.objects->sightings, std::min(options.velocity.v0, arguments.scoring.min_speed), arguments.scoring.from);
   }
   if (hidden) score.hidden = hidden->score();
   if (delayed) score.late = delayed->report();

@@ -23,7 +23,7 @@ void HiddenScore::add(const HiddenScore& other) {
   false_alarm += other.false_alarm;
 }
 
-HiddenMovers::HiddenMovers(const runner::Recording& recording, double min_speed) : min_speed_(min_speed) {
+HiddenMovers::HiddenMovers(const runner::Recording& recording, const ObjectScoring& scoring) : scoring_(scoring) {
   std::set<int> movers;
   for (const runner::RecordingEntry& entry : recording.entries)
     for (const auto& [id, object] : entry.truth.objects)
@@ -61,7 +61,7 @@ void remove_movers(const std::set<int>& movers, const cv::Mat& instance, runner:
   }
 }
 
-void HiddenMovers::add(const runner::TruthEntry& entry, const cv::Mat& instance, const dot::Result& result) {
+void HiddenMovers::add(const runner::RecordingEntry& entry, const cv::Mat& instance, const dot::Result& result) {
   if (instance.empty()) return;
   struct Count {
     long pixels = 0;
@@ -75,16 +75,18 @@ void HiddenMovers::add(const runner::TruthEntry& entry, const cv::Mat& instance,
       count.called_moving += result.labels(x, y) == static_cast<std::uint8_t>(dot::State::Moving);
     }
   }
+  const bool frame_counts = entry.number >= scoring_.from;
   for (const auto& [id, count] : counts) {
-    const auto object = entry.objects.find(id);
-    if (object == entry.objects.end() || !object->second.moving) {
+    const auto object = entry.truth.objects.find(id);
+    if (object == entry.truth.objects.end() || !object->second.moving) {
+      if (!frame_counts) continue;
       score_.standing += count.pixels;
       score_.false_alarm += count.called_moving;
       continue;
     }
     const auto seen = seen_.find(id);
-    if (seen == seen_.end() || count.pixels < min_area || object->second.speed < min_speed_) continue;
-    if (++seen->second < first_counted) continue;
+    if (seen == seen_.end() || count.pixels < min_area || object->second.speed < scoring_.min_speed) continue;
+    if (++seen->second < first_counted || !frame_counts) continue;
     score_.pixels += count.pixels;
     score_.found += count.called_moving;
   }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "dot/pipeline/result.hpp"
+#include "object_score.hpp"
 #include "sequence/sequence.hpp"
 #include "statistics.hpp"
 
@@ -31,18 +32,18 @@ void remove_movers(const std::set<int>& movers, const cv::Mat& instance, runner:
 /// much of it is labelled moving all the same.
 class HiddenMovers {
  public:
-  /// @param min_speed m/s, from which a hidden mover counts.
-  HiddenMovers(const runner::Recording& recording, double min_speed);
+  HiddenMovers(const runner::Recording& recording, const ObjectScoring& scoring);
 
   void remove(runner::SequenceFrame& frame, const cv::Mat& instance) const { remove_movers(hidden_, instance, frame); }
 
   /// A mover counts from the sixth frame in which it has 1,000 pixels and the speed, in frames where it has both.
-  void add(const runner::TruthEntry& entry, const cv::Mat& instance, const dot::Result& result);
+  /// Frames before ObjectScoring::from only count as such.
+  void add(const runner::RecordingEntry& entry, const cv::Mat& instance, const dot::Result& result);
 
   const HiddenScore& score() const { return score_; }
 
  private:
-  double min_speed_ = 0;
+  ObjectScoring scoring_;
   std::set<int> hidden_;
   std::map<int, int> seen_;  ///< of each hidden mover: frames in which it was large and fast
   HiddenScore score_;

@@ -25,7 +25,7 @@ struct Watch {
 
 }  // namespace
 
-std::vector<LatencyEvent> decision_latency(const std::vector<Sighting>& sightings, double v0) {
+std::vector<LatencyEvent> decision_latency(const std::vector<Sighting>& sightings, double v0, int from) {
   std::vector<LatencyEvent> events;
   std::map<int, Watch> watches;
   for (const Sighting& sighting : sightings) {
@@ -37,7 +37,7 @@ std::vector<LatencyEvent> decision_latency(const std::vector<Sighting>& sighting
       if (watch.moves && *watch.moves != fast) {
         watch.open.reset();
         watch.metres = 0;
-        if (sighting.range < max_range && sighting.area >= min_area) {
+        if (sighting.frame >= from && sighting.range < max_range && sighting.area >= min_area) {
           watch.open = events.size();
           watch.since = sighting.time;
           events.push_back({sighting.id, sighting.frame, fast, std::nullopt});

@@ -24,7 +24,8 @@ struct LatencyEvent {
 /// is seen no more.
 /// @param sightings in order of time.
 /// @param v0 m/s.
-std::vector<LatencyEvent> decision_latency(const std::vector<Sighting>& sightings, double v0);
+/// @param from events in frames with a smaller number do not count.
+std::vector<LatencyEvent> decision_latency(const std::vector<Sighting>& sightings, double v0, int from = 0);
 
 /// The starts alone, or the stops.
 std::vector<LatencyEvent> events_of(const std::vector<LatencyEvent>& events, bool starts);

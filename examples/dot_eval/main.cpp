@@ -121,11 +121,13 @@ int main(int argc, char** argv) {
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   try {
     const Arguments arguments = parse_arguments(argc, argv);
-    if (arguments.help) {
+    bool good = true;
+    if (arguments.help)
       std::printf("%s", usage().c_str());
-      return 0;
-    }
-    return run(arguments) ? 0 : 1;
+    else
+      good = run(arguments);
+    runner::finish_standard_output();
+    return good ? 0 : 1;
   } catch (const runner::UsageError& error) {
     std::fprintf(stderr, "dot_eval: %s (dot_eval --help lists the options)\n", error.what());
     return 2;

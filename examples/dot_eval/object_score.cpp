@@ -92,6 +92,12 @@ double Band::within_95() const {
   return ratio(static_cast<double>(inside), static_cast<double>(static_nees.size()));
 }
 
+long ObjectScore::moving_pixels() const {
+  long sum = 0;
+  for (const FramePixels& frame : pixels) sum += frame.moving;
+  return sum;
+}
+
 double ObjectScore::mask_iou() const {
   long both = 0;
   long either = 0;

@@ -77,6 +77,7 @@ struct ObjectScore {
   long with_sigma = 0;
   long with_motion = 0;
 
+  long moving_pixels() const;
   double mask_iou() const;
   double speed_coverage() const { return coverage(with_speed); }
   double sigma_coverage() const { return coverage(with_sigma); }

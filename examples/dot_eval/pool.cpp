@@ -70,9 +70,10 @@ Pooled pool(const std::vector<RunScore>& runs, int every, int first_rate) {
       for (std::size_t b = 0; b <= band_count; ++b)
         for (std::size_t answer = 0; answer < answer_count; ++answer)
           p.by_speed[i][b][answer] += objects.by_speed[i][b][answer];
-    keep(ious, objects.mask_iou());
-    const double reference = first_iou(runs, run.name, first_rate);
-    keep(ratios, ratio(objects.mask_iou(), reference));
+    if (objects.moving_pixels() > 0) {
+      keep(ious, objects.mask_iou());
+      keep(ratios, ratio(objects.mask_iou(), first_iou(runs, run.name, first_rate)));
+    }
     instance_ious.insert(instance_ious.end(), objects.instance_iou.begin(), objects.instance_iou.end());
     p.id_switches += objects.id_switches;
     keep(speed, objects.speed_coverage());

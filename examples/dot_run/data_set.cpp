@@ -83,14 +83,15 @@ void run_one(const Arguments& arguments, const std::vector<std::string>& asked, 
   std::error_code error;
   fs::create_directories(out, error);
   if (error) throw FileError(out.string() + ": the folder cannot be made: " + error.message());
-  dataset::write_output_to((out / "run.log").string());
+  dataset::write_output_to((out / log_name).string());
   dataset::remove_record(out);
   const RunEnd end = run(arguments, stop);
   if (!end.complete) throw std::runtime_error(interrupted);
   dataset::write_record(out, {asked, end.figures});
 }
 
-/// The sequences that are to be done, of those of this shard; the outcomes of the others are filled in.
+/// The sequences that are to be done, of those of this shard; the outcomes of the others are filled in. Nothing is
+/// written.
 std::vector<std::size_t> to_do(const Arguments& arguments, const std::vector<std::string>& settings,
                                std::vector<dataset::Outcome>& outcomes) {
   const DataSet& set = arguments.data_set;
@@ -98,6 +99,10 @@ std::vector<std::size_t> to_do(const Arguments& arguments, const std::vector<std
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     dataset::Outcome& outcome = outcomes[i];
     const fs::path folder = arguments.output.results.out / outcome.item.name;
+    std::error_code not_there;
+    if (fs::equivalent(folder, outcome.item.folder, not_there))
+      throw UsageError("--out must not be the folder that holds a sequence: the results of " +
+                       outcome.item.folder.string() + " would go to its own folder");
     // Those of the other shards are looked at as well: they are to go together.
     const std::optional<dataset::Record> record = set.resume ? dataset::read_record(folder) : std::nullopt;
     if (record) {
@@ -112,8 +117,6 @@ std::vector<std::size_t> to_do(const Arguments& arguments, const std::vector<std
       jobs.push_back(i);
     }
   }
-  // Otherwise a later --resume would take them for results of this run.
-  for (const std::size_t i : jobs) dataset::remove_record(arguments.output.results.out / outcomes[i].item.name);
   return jobs;
 }
 
@@ -133,13 +136,15 @@ int run_data_set(const Arguments& arguments, std::atomic<bool>& stop) {
   tracker_options(arguments.run, dot::DepthSource::Unknown);  // what is wrong there is wrong for every sequence
   std::vector<dataset::Outcome> outcomes;
   for (dataset::Item& item : dataset::read_list(set.list)) outcomes.emplace_back().item = std::move(item);
+  const std::vector<std::size_t> jobs = to_do(arguments, common, outcomes);
   std::error_code error;
   fs::create_directories(out, error);
   if (error) throw FileError(out.string() + ": the folder cannot be made: " + error.message());
   OutputFile table(summary_path(arguments));
   fs::remove(summary_path(arguments), error);  // whoever kills this run is not to find the table of an earlier one
+  // Otherwise a later --resume would take them for results of this run.
+  for (const std::size_t i : jobs) dataset::remove_record(out / outcomes[i].item.name);
 
-  const std::vector<std::size_t> jobs = to_do(arguments, common, outcomes);
   std::size_t done = 0;
   const auto work = [&](std::size_t i) {
     run_one(of_one(arguments, outcomes[i].item), asked(common, outcomes[i].item), stop);

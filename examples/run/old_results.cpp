@@ -6,6 +6,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "dataset/record.hpp"
 #include "sequence/entries.hpp"
 #include "sequence/errors.hpp"
 #include "sequence/output_file.hpp"
@@ -74,8 +75,11 @@ void refuse_others(const fs::path& out) {
 
 void remove_old_results(const fs::path& out) {
   const fs::path timing = out / ResultNames::timing;
-  if (!is_times(timing) && !is_there(partial_name(timing))) return refuse_others(out);
+  const bool is_earlier_run = is_times(timing) || is_there(partial_name(timing));
+  if (!is_earlier_run) refuse_others(out);
   // First of all the old results stop being complete; when the program ends below, the next run goes on from here.
+  if (dataset::read_record(out)) dataset::remove_record(out);
+  if (!is_earlier_run) return;
   if (is_there(timing)) {
     std::error_code error;
     fs::rename(timing, partial_name(timing), error);

@@ -18,10 +18,10 @@ struct ResultNames {
   static constexpr const char* tables[] = {camera, objects, timing};
 };
 
-/// Makes a folder ready for new results, which must not mix with those of an earlier run. Removed are the tables, and
-/// pictures and masks that are named as a frame's, 000012.png; nothing else, and no folder but one that has become
-/// empty. An earlier run is known by its table of times, complete or not, which the caller begins anew before anything
-/// else.
+/// Makes a folder ready for new results, which must not mix with those of an earlier run. Removed are the record that
+/// they are complete (dataset/record.hpp), the tables, and pictures and masks that are named as a frame's, 000012.png;
+/// nothing else, and no folder but one that has become empty. An earlier run is known by its table of times, complete
+/// or not, which the caller begins anew before anything else.
 /// @throws FileError naming one of such files when there is no such table: they are somebody else's.
 void remove_old_results(const std::filesystem::path& out);
 

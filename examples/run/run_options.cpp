@@ -8,6 +8,7 @@
 #include "dot/pipeline/validate_options.hpp"
 #include "sequence/errors.hpp"
 #include "sequence/fields.hpp"
+#include "sequence/plausible.hpp"
 #include "sequence/text.hpp"
 
 namespace runner {
@@ -36,17 +37,6 @@ namespace {
 
 constexpr int most_threads = 256;  // as dot::validate has it
 
-double depth_scale(const std::string& option, const std::string& value) {
-  constexpr double most = 1e6;
-  const std::optional<double> scale = parse_number(value);
-  if (scale && *scale > 0 && *scale < 1)
-    throw UsageError(option + " is the number of units to the metre: of units of " + value + " m these are " +
-                     format("%.6g", 1 / *scale));
-  if (!scale || !(*scale >= 1 && *scale <= most))
-    throw UsageError(option + " needs a number from 1 to 1000000, not '" + value + "'");
-  return *scale;
-}
-
 }  // namespace
 
 void add_run_options(CommandLine& line, RunOptions& options) {
@@ -58,7 +48,8 @@ void add_run_options(CommandLine& line, RunOptions& options) {
   line.option("--images", [&](auto& name, auto& value) { sequence.images = not_empty(name, value); });
   line.option("--right", [&](auto& name, auto& value) { sequence.right = not_empty(name, value); });
   line.option("--intrinsics", [&](auto& name, auto& value) { sequence.intrinsics = not_empty(name, value); });
-  line.option("--depth-scale", [&](auto& name, auto& value) { sequence.depth_scale = depth_scale(name, value); });
+  line.option("--depth-scale",
+              [&](auto& name, auto& value) { sequence.depth_scale = depth_scale<UsageError>(name, value); });
   line.option("--camera", [&](auto& name, auto& value) { sequence.camera = not_empty(name, value); });
   line.option("--always-dynamic",
               [&](auto& name, auto& value) { sequence.always_dynamic = split(not_empty(name, value), ','); });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -22,6 +23,7 @@ using Type = JsonValue::Type;
 
 constexpr std::int64_t largest_whole = std::int64_t{1} << 53;  // what a double holds
 constexpr std::int64_t largest_category = 2147483647;
+constexpr double largest_coordinate = 1e6;  // pixels, of a polygon's corner
 
 /// One object of one of the lists of the file, with what to say when it is wrong.
 struct Item {
@@ -69,6 +71,13 @@ std::vector<double> numbers(const Item& item, const JsonValue& list) {
   return values;
 }
 
+std::vector<double> coordinates(const Item& item, const JsonValue& polygon) {
+  std::vector<double> values = numbers(item, polygon);
+  for (const double value : values)
+    if (std::abs(value) > largest_coordinate) item.fail("segmentation has a corner over 1e6 pixels away");
+  return values;
+}
+
 cv::Size size_of(const Item& item, const JsonValue& segmentation) {
   constexpr int largest_side = 65535;
   const JsonValue* size = segmentation.find("size");
@@ -77,6 +86,8 @@ cv::Size size_of(const Item& item, const JsonValue& segmentation) {
     item.fail("segmentation has no size [height, width]");
   return {*side(1), *side(0)};
 }
+
+std::string to_text(cv::Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 
 }  // namespace
 
@@ -87,8 +98,12 @@ CocoMasks::CocoMasks(std::filesystem::path path) : path_(std::move(path)) {
   std::map<std::int64_t, std::string> names;
   for_each(path_, document, "images", true, [&](const Item& item) {
     const std::string& name = item.get("file_name", Type::String).string;
-    if (!images_.try_emplace(key(name)).second) item.fail(quoted(name) + " is named as another image");
+    const auto [image, is_new] = images_.try_emplace(key(name));
+    if (!is_new) item.fail(quoted(name) + " is named as another image");
     if (!names.emplace(item.whole("id"), key(name)).second) item.fail("has the id of another image");
+    if (item.value.find("width") == nullptr || item.value.find("height") == nullptr) return;
+    constexpr std::int64_t most = std::numeric_limits<int>::max();
+    image->second.size = {static_cast<int>(item.whole("width", most)), static_cast<int>(item.whole("height", most))};
   });
   for_each(path_, document, "categories", false, [&](const Item& item) {
     categories_[static_cast<std::int32_t>(item.whole("id", largest_category))] = item.get("name", Type::String).string;
@@ -110,7 +125,7 @@ CocoMasks::CocoMasks(std::filesystem::path path) : path_(std::move(path)) {
     const JsonValue* shape = item.value.find("segmentation");
     if (shape == nullptr) item.fail("has no segmentation");
     if (shape->is(Type::Array)) {
-      for (const JsonValue& polygon : shape->array) a.polygons.push_back(numbers(item, polygon));
+      for (const JsonValue& polygon : shape->array) a.polygons.push_back(coordinates(item, polygon));
     } else if (shape->is(Type::Object)) {
       a.size = size_of(item, *shape);
       const JsonValue* counts = shape->find("counts");
@@ -125,7 +140,7 @@ CocoMasks::CocoMasks(std::filesystem::path path) : path_(std::move(path)) {
     } else {
       item.fail("segmentation is neither polygons nor run lengths");
     }
-    images_[image->second].push_back(std::move(a));
+    images_[image->second].annotations.push_back(std::move(a));
   });
 }
 
@@ -133,15 +148,17 @@ void CocoMasks::paint(const Annotation& a, std::uint16_t id, cv::Mat& ids) {
   for (const std::vector<double>& polygon : a.polygons) paint_polygon(polygon, id, ids);
   if (a.size == cv::Size()) return;
   if (a.size != ids.size())
-    throw std::invalid_argument("is of an image of " + std::to_string(a.size.width) + "x" +
-                                std::to_string(a.size.height) + ", the camera is " + std::to_string(ids.cols) + "x" +
-                                std::to_string(ids.rows));
+    throw std::invalid_argument("is of an image of " + to_text(a.size) + ", the camera is " + to_text(ids.size()));
   paint_runs(a.compressed_runs.empty() ? a.runs : decode_run_lengths(a.compressed_runs), id, ids);
 }
 
 Segmentation CocoMasks::read(const std::string& file_name, cv::Size size,
                              const std::vector<std::string>& always_dynamic) const {
-  std::vector<Annotation> annotations = images_.at(key(file_name));
+  const Image& image = images_.at(key(file_name));
+  if (image.size != cv::Size() && image.size != size)
+    throw FileError(path_.string() + ": " + file_name + " is an image of " + to_text(image.size) + ", the camera is " +
+                    to_text(size));
+  std::vector<Annotation> annotations = image.annotations;
   std::stable_sort(annotations.begin(), annotations.end(),
                    [](const Annotation& a, const Annotation& b) { return a.score < b.score; });
   if (annotations.size() > static_cast<std::size_t>(largest_id))

@@ -13,9 +13,9 @@
 
 namespace runner {
 
-/// Instance masks in a JSON file of COCO's format: "images" with id and file_name, "annotations" with image_id,
-/// category_id and segmentation (polygons, or run lengths, compressed or not) and, if they are a network's, score; and
-/// "categories" with id and name. Crowds (iscrowd) are left out: they are no instances.
+/// Instance masks in a JSON file of COCO's format: "images" with id, file_name and, if given, width and height,
+/// "annotations" with image_id, category_id and segmentation (polygons, or run lengths, compressed or not) and, if they
+/// are a network's, score; and "categories" with id and name. Crowds (iscrowd) are left out: they are no instances.
 class CocoMasks {
  public:
   /// Reads and checks all but the shapes.
@@ -43,11 +43,16 @@ class CocoMasks {
     cv::Size size;
   };
 
+  struct Image {
+    cv::Size size;  ///< empty: the file does not say it
+    std::vector<Annotation> annotations;
+  };
+
   static std::string key(const std::string& file_name) { return std::filesystem::path(file_name).stem().string(); }
   static void paint(const Annotation& annotation, std::uint16_t id, cv::Mat& ids);
 
   std::filesystem::path path_;
-  std::map<std::string, std::vector<Annotation>> images_;  ///< by file name without folder and ending
+  std::map<std::string, Image> images_;  ///< by file name without folder and ending
   std::map<std::int32_t, std::string> categories_;
 };
 

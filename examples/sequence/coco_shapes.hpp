@@ -26,7 +26,7 @@ void paint_runs(const std::vector<std::int64_t>& lengths, std::uint16_t id, cv::
 
 /// Sets the pixels whose centres lie in a polygon to `id`. The corner of the image is 0, 0, and the centre of the first
 /// pixel 0.5, 0.5. What of it lies outside of the image does not count.
-/// @param xy x and y of each corner in turn.
+/// @param xy x and y of each corner in turn, pixels; 1e30 at most.
 /// @throws std::invalid_argument when there are fewer than three corners, or half a corner.
 void paint_polygon(const std::vector<double>& xy, std::uint16_t id, cv::Mat& ids);
 

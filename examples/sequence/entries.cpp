@@ -111,6 +111,7 @@ void read_poses(const fs::path& path, std::vector<RecordingEntry>& entries) {
 }
 
 bool list_masks(const SequenceOptions& options, std::vector<RecordingEntry>& entries) {
+  if (!options.masks) return false;
   const fs::path folder = options.folder / options.mask_dir;
   if (!is_there(folder)) {
     if (options.mask_dir != SequenceOptions{}.mask_dir) throw FileError(folder.string() + ": no such folder");

@@ -47,7 +47,7 @@ void set_times(const std::filesystem::path& path, const std::vector<Row>& rows, 
 void read_poses(const std::filesystem::path& path, std::vector<RecordingEntry>& entries);
 
 /// Masks of the folder or file that the options name; frames without a file have none.
-/// @return whether there is such a folder.
+/// @return whether there is such a folder, and the masks are asked for (SequenceOptions::masks).
 /// @throws FileError when a folder is missing that the user has named, cannot be read or has no mask of any frame.
 bool list_masks(const SequenceOptions& options, std::vector<RecordingEntry>& entries);
 

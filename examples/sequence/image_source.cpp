@@ -35,14 +35,15 @@ struct Pattern {
   std::size_t least_digits = 1;
 };
 
-Pattern parse_pattern(const fs::path& source) {
+/// @param path for a message
+Pattern parse_pattern(const fs::path& source, const fs::path& path) {
   const std::string name = source.filename().string();
   const std::size_t percent = name.find('%');
   std::size_t end = percent == std::string::npos ? percent : percent + 1;
   while (end < name.size() && is_digit(name[end])) ++end;
   const bool good = end < name.size() && name[end] == 'd' && name.find('%', end) == std::string::npos &&
                     end - percent < 4 && source.parent_path().string().find('%') == std::string::npos;
-  if (!good) throw FileError(source.string() + ": a pattern must have one %d, or %06d or alike, in its last part");
+  if (!good) throw FileError(path.string() + ": a pattern must have one %d, or %06d or alike, in its last part");
   Pattern pattern{name.substr(0, percent), name.substr(end + 1)};
   if (end - percent > 1) pattern.least_digits = std::stoul(name.substr(percent + 1, end - percent - 1));
   return pattern;
@@ -65,7 +66,7 @@ std::optional<int> number_in(const std::string& name, const Pattern& pattern) {
 
 }  // namespace
 
-bool is_pattern(const fs::path& source) { return source.string().find('%') != std::string::npos; }
+bool is_pattern(const fs::path& name) { return name.string().find('%') != std::string::npos; }
 
 bool natural_less(const std::string& a, const std::string& b) {
   // A number becomes its length and its digits: then texts compare as numbers do.
@@ -89,9 +90,10 @@ bool natural_less(const std::string& a, const std::string& b) {
   return key_a != key_b ? key_a < key_b : a < b;
 }
 
-ImageSource list_source(const fs::path& source) {
+ImageSource list_source(const fs::path& folder, const fs::path& name) {
+  const fs::path source = (folder / name).lexically_normal();
   ImageSource result;
-  if (!is_pattern(source)) {
+  if (!is_pattern(name)) {
     for (const fs::path& file : list_files(source))
       if (is_image(file)) result.files.push_back({file, std::nullopt});
     if (result.files.empty()) throw FileError(source.string() + ": holds no images");
@@ -100,7 +102,7 @@ ImageSource list_source(const fs::path& source) {
     });
     return result;
   }
-  const Pattern pattern = parse_pattern(source);
+  const Pattern pattern = parse_pattern(name, source);
   result.numbered = true;
   for (const fs::path& file : list_files(source.has_parent_path() ? source.parent_path() : "."))
     if (const std::optional<int> number = number_in(file.filename().string(), pattern))

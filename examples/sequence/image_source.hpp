@@ -20,11 +20,12 @@ struct ImageSource {
   bool numbered = false;
 };
 
+/// @param name of a folder or a pattern in `folder`, whose own name may have a % that means nothing.
 /// @throws FileError when there are none, two have one number, or the pattern is none.
-ImageSource list_source(const std::filesystem::path& source);
+ImageSource list_source(const std::filesystem::path& folder, const std::filesystem::path& name);
 
 /// Whether a name is a pattern: it has a %.
-bool is_pattern(const std::filesystem::path& source);
+bool is_pattern(const std::filesystem::path& name);
 
 /// Whether a comes before b, numbers in them taken as such: "2.png" before "10.png".
 bool natural_less(const std::string& a, const std::string& b);

@@ -97,7 +97,9 @@ CameraFile read_open3d(const fs::path& path) {
   check_intrinsics(place, camera.intrinsics);
   constexpr double usual_fps = 30;  // that of an Azure Kinect's recording is not in the file
   camera.fps = document.find("fps") != nullptr ? in_range(place, "fps", number("fps"), frame_rates) : usual_fps;
-  if (document.find("depth_scale") != nullptr) camera.depth_units_per_metre = number("depth_scale");
+  if (document.find("depth_scale") != nullptr)
+    camera.depth_units_per_metre =
+        depth_scale<FileError>(path.string() + ": depth_scale", format("%.10g", number("depth_scale")));
   camera.stated_source = dot::DepthSource::Rgbd;
   return camera;
 }

@@ -45,7 +45,8 @@ Moment read_moment(const Place& place, const std::string& line) {
 }
 
 /// A line for each number of the stream, whether its image is there or not. Times count from the first line's midnight.
-void read_timestamps(const fs::path& path, std::vector<RecordingEntry>& entries) {
+/// @param plausible whether they must increase.
+void read_timestamps(const fs::path& path, std::vector<RecordingEntry>& entries, bool plausible) {
   constexpr double day = 86400;
   std::vector<Row> rows;
   std::string date;
@@ -55,12 +56,13 @@ void read_timestamps(const fs::path& path, std::vector<RecordingEntry>& entries)
     ++place.line;
     if (trim(line).empty()) continue;
     const Moment moment = read_moment(place, line);
-    if (moment.date < date) fail(place, "the date goes back");
-    if (!date.empty() && moment.date != date) midnight += day;
+    const bool goes_back = moment.date < date;
+    if (goes_back && plausible) fail(place, "the date goes back");
+    if (!date.empty() && moment.date != date) midnight += goes_back ? -day : day;
     date = moment.date;
     rows.push_back({place.line, {midnight + moment.seconds}});
   }
-  set_times(path, rows, entries);
+  set_times(path, rows, entries, plausible);
 }
 
 }  // namespace
@@ -80,7 +82,7 @@ Recording read_kitti_raw(const SequenceOptions& options) {
   const cv::Size size = read_image(recording.entries[0].image).size();
   const KittiRig rig = read_rig(calibration, "P_rect_" + left, "P_rect_" + right, size);
   recording.intrinsics = rig.intrinsics;
-  read_timestamps(stream / "timestamps.txt", recording.entries);
+  read_timestamps(stream / "timestamps.txt", recording.entries, options.check_times);
   list_masks(options, recording.entries);
   choose_depth(options, options.folder / ("image_" + right) / "data", calibration, {}, recording);
   if (options.truth && fs::is_directory(options.folder / "oxts" / "data")) {

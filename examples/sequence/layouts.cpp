@@ -36,6 +36,9 @@ Recording open_recording(const SequenceOptions& options) {
       if (!value->empty()) throw UsageError(std::string(name) + " needs --images");
   if (!std::filesystem::is_directory(options.folder)) throw FileError(options.folder.string() + ": no such folder");
   Recording recording = read_layout(options);
+  if (recording.distortion && !recording.entries[0].right.empty())
+    throw FileError(options.folder.string() +
+                    ": depth from a stereo pair needs images without distortion: rectify them");
   if (options.depth_scale) recording.depth_units_per_metre = *options.depth_scale;
   return recording;
 }

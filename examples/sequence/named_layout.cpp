@@ -19,6 +19,10 @@ namespace {
 
 constexpr double millimetres = 1000;  // to the metre: what most RGB-D cameras record
 
+fs::path in_folder(const SequenceOptions& options, const fs::path& name) {
+  return (options.folder / name).lexically_normal();
+}
+
 const VideoInput& open_video(const SequenceOptions& options, const fs::path& path, Recording& recording) {
   if (!options.open_video) throw FileError(path.string() + ": this program reads no videos");
   if (!is_there(path)) throw FileError(path.string() + ": no such file");
@@ -30,7 +34,8 @@ const VideoInput& open_video(const SequenceOptions& options, const fs::path& pat
 std::string frames(std::size_t count) { return std::to_string(count) + (count == 1 ? " frame" : " frames"); }
 
 /// The frames that the images are.
-void list_frames(const SequenceOptions& options, const fs::path& source, double fps, Recording& recording) {
+void list_frames(const SequenceOptions& options, double fps, Recording& recording) {
+  const fs::path source = in_folder(options, options.images);
   if (is_video(source)) {
     const std::vector<double>& times = open_video(options, source, recording).times();
     for (std::size_t i = 0; i < times.size(); ++i) {
@@ -42,7 +47,7 @@ void list_frames(const SequenceOptions& options, const fs::path& source, double 
     return;
   }
   int place = 0;
-  for (const ImageSource::File& file : list_source(source).files) {
+  for (const ImageSource::File& file : list_source(options.folder, options.images).files) {
     RecordingEntry& entry = recording.entries.emplace_back();
     entry.number = file.number.value_or(place);
     entry.video_frame = place++;
@@ -52,8 +57,9 @@ void list_frames(const SequenceOptions& options, const fs::path& source, double 
 }
 
 /// Gives each frame its file: by the numbers where both are patterns, otherwise in their order.
-void pair_up(const SequenceOptions& options, const fs::path& source, bool numbered, fs::path RecordingEntry::*member,
+void pair_up(const SequenceOptions& options, const fs::path& name, fs::path RecordingEntry::*member,
              Recording& recording) {
+  const fs::path source = in_folder(options, name);
   std::vector<RecordingEntry>& entries = recording.entries;
   const auto check_count = [&](std::size_t count) {
     if (count != entries.size())
@@ -64,8 +70,8 @@ void pair_up(const SequenceOptions& options, const fs::path& source, bool number
     for (RecordingEntry& entry : entries) entry.*member = source;
     return;
   }
-  const ImageSource list = list_source(source);
-  if (!numbered || !list.numbered) {
+  const ImageSource list = list_source(options.folder, name);
+  if (!is_pattern(options.images) || !list.numbered) {
     check_count(list.files.size());
     for (std::size_t i = 0; i < entries.size(); ++i) entries[i].*member = list.files[i].path;
     return;
@@ -83,31 +89,26 @@ void pair_up(const SequenceOptions& options, const fs::path& source, bool number
 }  // namespace
 
 Recording read_named_layout(const SequenceOptions& options) {
-  const auto in_folder = [&](const fs::path& name) { return (options.folder / name).lexically_normal(); };
-  const CameraFile camera =
-      read_camera_file(in_folder(options.intrinsics.empty() ? "intrinsics.txt" : options.intrinsics));
+  const fs::path camera_file = in_folder(options, options.intrinsics.empty() ? "intrinsics.txt" : options.intrinsics);
+  const CameraFile camera = read_camera_file(camera_file);
   Recording recording;
   recording.layout = "named files";
   recording.intrinsics = camera.intrinsics;
   recording.distortion = camera.distortion;
   recording.depth_units_per_metre = camera.depth_units_per_metre.value_or(millimetres);
-  const fs::path images = in_folder(options.images);
-  list_frames(options, images, camera.fps, recording);
-  if (!is_video(images))  // before anybody takes memory for images of the size that is claimed
+  list_frames(options, camera.fps, recording);
+  if (!is_video(options.images))  // before anybody takes memory for images of the size that is claimed
     read_image(recording.entries[0].image, {camera.intrinsics.width, camera.intrinsics.height});
-  if (const fs::path times = options.folder / "times.txt"; is_there(times)) read_times(times, recording.entries, options.check_times);
+  if (const fs::path times = options.folder / "times.txt"; is_there(times))
+    read_times(times, recording.entries, options.check_times);
 
   const bool stereo = options.stereo || !options.right.empty();
-  const bool numbered = is_pattern(images);
   if (stereo) {
-    if (!(camera.intrinsics.baseline > 0))
-      throw FileError(in_folder(options.intrinsics.empty() ? "intrinsics.txt" : options.intrinsics).string() +
-                      ": baseline must be > 0 for stereo");
-    pair_up(options, in_folder(options.right.empty() ? "right" : options.right), numbered, &RecordingEntry::right,
-            recording);
+    if (!(camera.intrinsics.baseline > 0)) throw FileError(camera_file.string() + ": baseline must be > 0 for stereo");
+    pair_up(options, options.right.empty() ? "right" : options.right, &RecordingEntry::right, recording);
     recording.depth_source = dot::DepthSource::Stereo;
   } else {
-    pair_up(options, in_folder(options.depth_dir), numbered, &RecordingEntry::depth, recording);
+    pair_up(options, options.depth_dir, &RecordingEntry::depth, recording);
     recording.depth_source = camera.stated_source.value_or(camera.intrinsics.baseline > 0 ? dot::DepthSource::Stereo
                                                                                           : dot::DepthSource::Unknown);
   }

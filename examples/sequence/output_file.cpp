@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "output_file.hpp"
 
+#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -33,6 +34,10 @@ void OutputFile::finish() {
   std::error_code error;
   if (stream_) fs::rename(partial_name(path_), path_, error);
   if (!stream_ || error) cannot_write(path_);
+}
+
+void finish_standard_output() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) cannot_write("standard output");
 }
 
 }  // namespace runner

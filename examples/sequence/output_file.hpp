@@ -34,4 +34,8 @@ class OutputFile {
 /// Where a file stands while it is not complete: "objects.csv.partial".
 std::filesystem::path partial_name(const std::filesystem::path& path);
 
+/// To be called at the end of a program.
+/// @throws FileError when something of what it has printed on standard output was lost.
+void finish_standard_output();
+
 }  // namespace runner

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 
 #include "dot/camera/intrinsics.hpp"
 #include "fields.hpp"
+#include "text.hpp"
 
 /// @file
 /// What a recording can hold. The ranges are wide: they are to find a wrong file or unit, not an unusual camera.
@@ -29,6 +31,21 @@ void check_intrinsics(const Place& place, const dot::Intrinsics& camera);
 
 /// @throws FileError when the time does not increase, in seconds.
 void check_step(const Place& place, double before, double time);
+
+/// The units of depth images to the metre.
+/// @param name to begin the message with.
+/// @throws Error when it is not plausible.
+template <typename Error>
+double depth_scale(const std::string& name, const std::string& text) {
+  constexpr double most = 1e6;
+  const std::optional<double> scale = parse_number(text);
+  if (scale && *scale > 0 && *scale < 1)
+    throw Error(name + " is the number of units to the metre: of units of " + text + " m these are " +
+                format("%.6g", 1 / *scale));
+  if (!scale || !(*scale >= 1 && *scale <= most))
+    throw Error(name + " needs a number from 1 to 1000000, not '" + text + "'");
+  return *scale;
+}
 
 /// @param name to begin the message with.
 /// @throws FileError when R is not a rotation, to a file's few digits.

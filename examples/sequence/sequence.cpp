@@ -52,15 +52,9 @@ Sequence::Sequence(const SequenceOptions& options)
       always_dynamic_(options.always_dynamic),
       mask_every_(options.mask_every),
       camera_motions_(recording_.entries.size()) {
-  if (!options.masks)
-    for (RecordingEntry& entry : recording_.entries) entry.masks.clear();
   if (!options.camera.empty()) read_camera(options.camera);
   if (!recording_.entries[0].right.empty()) stereo_.emplace(recording_.intrinsics);
-  if (!recording_.distortion) return;
-  if (stereo_)
-    throw FileError(options.folder.string() +
-                    ": depth from a stereo pair needs images without distortion: rectify them");
-  undistorter_.emplace(recording_.intrinsics, *recording_.distortion);
+  if (recording_.distortion) undistorter_.emplace(recording_.intrinsics, *recording_.distortion);
 }
 
 cv::Mat Sequence::read_frame(const fs::path& path, const RecordingEntry& entry) const {

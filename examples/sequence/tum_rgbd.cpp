@@ -52,8 +52,9 @@ struct Stamped {
   std::vector<std::string> fields;
 };
 
-/// Lines `time field field ...` in the order of time; those that begin with # are comments.
-std::vector<Stamped> read_stamped(const fs::path& path, std::size_t fields) {
+/// Lines `time field field ...`; those that begin with # are comments.
+/// @param plausible whether times must be, and increase.
+std::vector<Stamped> read_stamped(const fs::path& path, std::size_t fields, bool plausible = true) {
   std::vector<Stamped> rows;
   Place place{path};
   for (const std::string& line : read_lines(path)) {
@@ -62,16 +63,17 @@ std::vector<Stamped> read_stamped(const fs::path& path, std::size_t fields) {
     if (all.empty() || all[0][0] == '#') continue;
     if (all.size() != fields + 1)
       fail(place, "must be a time and " + std::to_string(fields) + (fields == 1 ? " name" : " numbers"));
-    const double time = in_range(place, "the time", to_number(place, "the time", all[0]), times);
-    if (!rows.empty()) check_step(place, rows.back().time, time);
+    const double time = to_number(place, "the time", all[0]);
+    if (plausible) in_range(place, "the time", time, times);
+    if (plausible && !rows.empty()) check_step(place, rows.back().time, time);
     rows.push_back({place.line, time, {all.begin() + 1, all.end()}});
   }
   return rows;
 }
 
 /// Times and names of files, which must lie in the recording's folder.
-std::vector<Stamped> read_names(const fs::path& path) {
-  std::vector<Stamped> rows = read_stamped(path, 1);
+std::vector<Stamped> read_names(const fs::path& path, bool plausible) {
+  std::vector<Stamped> rows = read_stamped(path, 1, plausible);
   for (const Stamped& row : rows) {
     const fs::path name = row.fields[0];
     const bool printable =
@@ -82,7 +84,7 @@ std::vector<Stamped> read_names(const fs::path& path) {
   return rows;
 }
 
-/// The last row at or before a time, and the one after it.
+/// The last row at or before a time, and the one after it, of rows in the order of time.
 using Neighbours = std::pair<std::vector<Stamped>::const_iterator, std::vector<Stamped>::const_iterator>;
 Neighbours around(const std::vector<Stamped>& rows, double time) {
   const auto after =
@@ -133,13 +135,14 @@ bool is_tum_rgbd(const fs::path& folder) { return fs::exists(folder / "rgb.txt")
 
 Recording read_tum_rgbd(const SequenceOptions& options) {
   if (options.stereo) throw FileError(options.folder.string() + ": a TUM RGB-D recording has no stereo pair");
-  const std::vector<Stamped> depths = read_names(options.folder / "depth.txt");
+  std::vector<Stamped> depths = read_names(options.folder / "depth.txt", options.check_times);
+  std::stable_sort(depths.begin(), depths.end(), [](const Stamped& a, const Stamped& b) { return a.time < b.time; });
   Recording recording;
   recording.layout = "TUM RGB-D";
   recording.depth_source = dot::DepthSource::Rgbd;
   recording.depth_units_per_metre = depth_units_per_metre;
   int number = 0;
-  for (const Stamped& image : read_names(options.folder / "rgb.txt")) {
+  for (const Stamped& image : read_names(options.folder / "rgb.txt", options.check_times)) {
     RecordingEntry entry;
     entry.number = number++;
     entry.timestamp = image.time;

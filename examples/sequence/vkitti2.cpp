@@ -170,7 +170,7 @@ Recording read_vkitti2(const SequenceOptions& options) {
     else
       entry.depth = depth;
     const fs::path instances = frames / "instanceSegmentation" / "Camera_0" / ("instancegt_" + number + ".png");
-    if (!own_masks) entry.masks = instances;
+    if (options.masks && !own_masks) entry.masks = instances;
     if (options.truth) entry.truth.instance = instances;
     if (options.truth) entry.truth.depth = entry.truth.measured = depth;
   }

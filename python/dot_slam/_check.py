@@ -44,13 +44,17 @@ def check(folder: str | os.PathLike[str], *, html: str | os.PathLike[str] | None
 
     Raises FileError where a file cannot be read, or the program is missing.
     """
-    arguments = [program(), os.fspath(Path(folder)), "--check", "--json"]
+    # Absolute, as a name may begin with a dash; and a folder's name may be of any bytes.
+    arguments = [program(), os.path.abspath(Path(folder)), "--check", "--json"]
     if html is not None:
-        arguments += ["--html", os.fspath(html)]
+        arguments += ["--html", os.path.abspath(html)]
     try:
-        done = subprocess.run(arguments, capture_output=True, text=True, check=False)
+        done = subprocess.run(arguments, capture_output=True, encoding="utf-8", errors="surrogateescape", check=False)
     except OSError as error:
         raise FileError(f"{arguments[0]}: {error.strerror}") from None
     if done.returncode not in (0, FAULTS_FOUND):
         raise FileError(done.stderr.strip() or f"{arguments[0]}: ended with status {done.returncode}")
-    return [Finding(**item) for item in json.loads(done.stdout)["findings"]]
+    try:
+        return [Finding(**item) for item in json.loads(done.stdout)["findings"]]
+    except (ValueError, KeyError, TypeError):
+        raise FileError(f"{arguments[0]}: does not answer as dot_run does; what does DOT_RUN name?") from None

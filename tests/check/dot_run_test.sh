@@ -33,6 +33,13 @@ expect 3 'milliseconds' "$work/seq" --check
 awk '{ printf "%.0f\n", 1e9 * (1700000000 + $1) }' "$sample/times.txt" >"$work/seq/times.txt"
 expect 3 'nanoseconds' "$work/seq" --check # which a run refuses to read
 
+cp -r "$sample" "$work/lens"
+chmod -R u+w "$work/lens"
+echo 'distortion radtan -0.3 0.1 0 0' >>"$work/lens/intrinsics.txt"
+said=$("$dot_run" "$work/lens" --check) || true
+[ "$(grep -c 'a pair must be rectified' <<<"$said")" -eq 2 ] || fail "a distorted pair is compared: $said"
+expect 1 'needs images without distortion' "$work/lens" --check --stereo
+
 : >"$work/seq/depth/000003.png"
 expect 1 '000003.png' "$work/seq" --check
 rm "$work/seq/depth/000003.png"
@@ -40,3 +47,8 @@ expect 1 '000003.png' "$work/seq" --check
 expect 1 'no such' "$work/nothing" --check
 expect 2 '--html needs --check' "$sample" --html "$work/a.html"
 expect 2 '--html' "$sample" --check --html "$work/a.txt"
+if [ -e /dev/full ]; then
+  status=0
+  "$dot_run" "$sample" --check --json >/dev/full 2>"$work/stderr" || status=$?
+  [ "$status" -eq 1 ] && grep -q 'standard output: cannot be written' "$work/stderr" || fail "a report that is lost has status $status"
+fi

@@ -108,8 +108,10 @@ same go side "nothing left to do"
 
 hold() {
   mv held/rgb/000010.png kept.png && mkfifo held/rgb/000010.png
+  set -m # in a group of its own
   "$dot_run" --list list.txt --out "$1" --mask-every 2 --player run.html > stdout 2> stderr &
   runner=$!
+  set +m
   wait_until [ -e "$1/held/labels/000009.png" ]
 }
 release() { rm -f held/rgb/000010.png && mv kept.png held/rgb/000010.png; }
@@ -129,14 +131,17 @@ same go killed "killed, started again"
 [ "$before" = "$(inodes killed)" ] || fail "what was complete was done again"
 
 hold stopped
-kill -TERM "$runner"
+ends "a single run into its folder" 1 "stopped/held/run.log: another run is writing to this folder" last --out stopped/held
+kill -TERM -- "-$runner" # to all of the group, as a batch system does
 wait_until grep -q "waiting for the frames of 1 sequences" stderr
-cp kept.png held/rgb/000010.png # the frame comes, and is the last one
+timeout 60 cp kept.png held/rgb/000010.png || fail "stopped: held waits for no frame" # it comes, and is the last one
 wait "$runner"
 got=$?
 runner=
 [ "$got" -eq 130 ] || fail "stopped: status $got, expected 130"
 [ "$(status held stopped)$(status last stopped)" = interruptedinterrupted ] || fail "stopped: the summary does not say so"
+[ "$(awk -F , '$1 == "held" { print $NF }' stopped/summary.csv)" = "" ] || fail "stopped: held did not end by itself"
+[ -e stopped/held/labels/000010.png ] || fail "stopped: held did not end its frame"
 [ -e stopped/held/timing.csv.partial ] && [ ! -e stopped/held/complete.txt ] || fail "stopped: held is complete"
 release
 ends "stopped, started again" 0 "5 complete (2 of them before)" --list list.txt --out stopped --mask-every 2 --player run.html --resume
@@ -147,6 +152,7 @@ same go stopped "stopped, started again"
 ends "settings in another order" 0 "(5 of them before)" --resume --player=run.html --mask-every=2 --out go --list list.txt --threads 2
 ends "another setting" 2 "was made with '--mask-every 2', and now '--mask-every 4' is asked for" \
   --list list.txt --out go --mask-every 4 --player run.html --resume
+[ "$(wc -l < go/summary.csv)" -eq 6 ] || fail "what is refused destroys the summary"
 ends "one setting less" 2 "was made with '--player run.html', and now nothing else is asked for" \
   --list list.txt --out go --mask-every 2 --resume
 echo "velocity.v0 = 0.4" > settings.txt
@@ -161,6 +167,10 @@ ends "another sequence of that name" 2 "elsewhere/last/' is asked for" --list ot
 cut -c 1-100 go/last/complete.txt | head -n 1 > cut.txt && mv cut.txt go/last/complete.txt
 ends "a damaged mark" 0 "5 complete (4 of them before)" --list list.txt --out go --mask-every 2 --player run.html --resume
 same side go "a damaged mark"
+"$dot_run" last --out go/last > stdout 2> stderr || fail "a single run into one of the folders"
+[ ! -e go/last/complete.txt ] || fail "results of other settings count as complete"
+ends "one of them made otherwise" 0 "5 complete (4 of them before)" --list list.txt --out go --mask-every 2 --player run.html --resume
+same side go "one of them made otherwise"
 
 # --- What fails does not end the others.
 
@@ -211,6 +221,12 @@ cd "$work" || exit 1
 
 touch empty.txt
 printf 'last\n./last/\n' > twice.txt
+mkdir -p data && cp -r last data/last && echo mine | tee data/last/complete.txt data/last/run.log > data/summary.csv
+printf 'held\ndata/last/\n' > data.txt
+ends "results among the sequences" 2 "--out must not be the folder that holds a sequence" --list data.txt --out data
+[ "$(cat data/last/complete.txt data/last/run.log data/summary.csv)" = "$(printf 'mine\nmine\nmine')" ] ||
+  fail "results among the sequences: their files were changed"
+[ ! -e data/held ] || fail "results among the sequences: one was run"
 ends "no such list" 1 "nolist.txt: cannot be read" --list nolist.txt --out no
 ends "an empty list" 1 "empty.txt: lists no sequence" --list empty.txt --out no
 ends "a sequence twice" 1 "twice.txt: last is given twice" --list twice.txt --out no

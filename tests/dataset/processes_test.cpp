@@ -101,6 +101,31 @@ TEST(Processes, ThoseThatRunAreAskedToEnd) {
   EXPECT_EQ(endings[1].reason.find("ended by signal 15, "), 0U) << endings[1].reason;
 }
 
+TEST(Processes, EndingsAreKnownWhereTheyWereIgnored) {
+  std::signal(SIGCHLD, SIG_IGN);  // as whoever starts the program may leave it
+  const auto endings = run(2, {0, 1}, [](std::size_t job) {
+    if (job == 1) _exit(7);
+  });
+  std::signal(SIGCHLD, SIG_DFL);
+  ASSERT_EQ(endings.size(), 2U);
+  EXPECT_TRUE(endings.at(0).good);
+  EXPECT_EQ(endings.at(1).reason, "ended with status 7");
+}
+
+TEST(ChildProcess, AnEndingThatIsNotKnownIsBad) {
+  std::signal(SIGCHLD, SIG_IGN);
+  ChildProcess process([] {});
+  std::optional<Ending> ending;
+  for (int i = 0; i < 6000 && !ending; ++i) {  // a minute
+    ending = process.ended();
+    if (!ending) usleep(10000);
+  }
+  std::signal(SIGCHLD, SIG_DFL);
+  ASSERT_TRUE(ending);
+  EXPECT_FALSE(ending->good);
+  EXPECT_EQ(ending->reason.find("how it has ended is not known: "), 0U) << ending->reason;
+}
+
 TEST(ChildProcess, ALogHasOneWriter) {
   const RecordingFolder folder;
   const std::string log = (folder.path() / "run.log").string();
@@ -124,7 +149,8 @@ TEST(ChildProcess, ALogHasOneWriter) {
             [&](std::size_t job) {
               char byte = 'x';
               if (job == 1 && read(to_tell[0], &byte, 1) != 1) throw std::runtime_error("no word of job 0");
-              write_output_to(log, std::chrono::milliseconds(0));
+              if (job == 1) return keep_output_file(log, std::chrono::milliseconds(0));
+              write_output_to(log);
               if (job == 0 && write(to_tell[1], &byte, 1) == 1) pause();
             },
             [&](std::size_t job, const Ending& ending) {

@@ -133,6 +133,10 @@ ends "no truth" 1 "has no ground truth" "$work/posesonly"
 # --- Command line.
 
 ends "help" 0 "--hide-movers" --help
+if [ -e /dev/full ]; then
+  "$dot_eval" --help > /dev/full 2> "$work/stderr"
+  [ $? -eq 1 ] && grep -q "standard output: cannot be written" "$work/stderr" || fail "output that is lost is not told"
+fi
 ends "no sequence" 2 "no sequence" --rates 1
 ends "rate 0" 2 "--rates" "$sample" --rates 0,1
 ends "rate twice" 2 "--rates" "$sample" --rates 2,2

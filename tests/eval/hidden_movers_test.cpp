@@ -41,7 +41,7 @@ runner::SequenceFrame frame_with_masks() {
 }
 
 TEST(HiddenMovers, EverySecondMoverIsTakenOutOfTheMasks) {
-  const HiddenMovers hidden(recording(), 1);
+  const HiddenMovers hidden(recording(), {});
   EXPECT_EQ(hidden.score().movers, 1);
   runner::SequenceFrame frame = frame_with_masks();
   hidden.remove(frame, instances());
@@ -52,7 +52,7 @@ TEST(HiddenMovers, EverySecondMoverIsTakenOutOfTheMasks) {
 }
 
 TEST(HiddenMovers, AnInstanceIsTakenOutFromOneHalfOn) {
-  const HiddenMovers hidden(recording(), 1);
+  const HiddenMovers hidden(recording(), {});
   runner::SequenceFrame half = frame_with_masks();
   half.ids(cv::Rect(60, 30, 40, 30)).setTo(12);  // as large again, below the mover
   hidden.remove(half, instances());
@@ -64,25 +64,40 @@ TEST(HiddenMovers, AnInstanceIsTakenOutFromOneHalfOn) {
 }
 
 TEST(HiddenMovers, CountFromTheSixthFrame) {
-  HiddenMovers hidden(recording(), 1);
+  HiddenMovers hidden(recording(), {});
   HandMadeResult answer(frame_size);
   answer.add(7, State::Moving, {60, 0, 40, 20});  // 800 of the hidden mover's pixels
   answer.add(8, State::Moving, {0, 40, 10, 10});  // on nothing that moves
-  const runner::TruthEntry truth = recording().entries[0].truth;
-  for (int i = 0; i < 5; ++i) hidden.add(truth, instances(), answer.result());
+  const runner::RecordingEntry entry = recording().entries[0];
+  for (int i = 0; i < 5; ++i) hidden.add(entry, instances(), answer.result());
   EXPECT_EQ(hidden.score().pixels, 0);
-  for (int i = 0; i < 2; ++i) hidden.add(truth, instances(), answer.result());
+  for (int i = 0; i < 2; ++i) hidden.add(entry, instances(), answer.result());
   EXPECT_EQ(hidden.score().pixels, 2 * 1200);
   EXPECT_DOUBLE_EQ(hidden.score().found_share(), 800.0 / 1200);
   EXPECT_EQ(hidden.score().standing, 7L * (frame_size.area() - 2 * 1200));
   EXPECT_EQ(hidden.score().false_alarm, 7 * 100);
 }
 
+TEST(HiddenMovers, FramesThatAreLeftOutDoNotCount) {
+  HiddenMovers hidden(recording(), {1, 7});
+  HandMadeResult answer(frame_size);
+  answer.add(7, State::Moving, {60, 0, 40, 20});
+  answer.add(8, State::Moving, {0, 40, 10, 10});
+  runner::RecordingEntry entry = recording().entries[0];
+  for (entry.number = 0; entry.number < 7; ++entry.number) hidden.add(entry, instances(), answer.result());
+  EXPECT_EQ(hidden.score().pixels, 0);
+  EXPECT_EQ(hidden.score().standing, 0);
+  EXPECT_EQ(hidden.score().false_alarm, 0);
+  hidden.add(entry, instances(), answer.result());
+  EXPECT_EQ(hidden.score().pixels, 1200) << "the sixth frame in which it was seen has passed";
+  EXPECT_EQ(hidden.score().false_alarm, 100);
+}
+
 TEST(HiddenMovers, SlowFramesDoNotCount) {
-  HiddenMovers hidden(recording(), 1);
-  runner::TruthEntry truth = recording().entries[0].truth;
-  truth.objects[5].speed = 0.9;
-  for (int i = 0; i < 8; ++i) hidden.add(truth, instances(), HandMadeResult(frame_size).result());
+  HiddenMovers hidden(recording(), {});
+  runner::RecordingEntry entry = recording().entries[0];
+  entry.truth.objects[5].speed = 0.9;
+  for (int i = 0; i < 8; ++i) hidden.add(entry, instances(), HandMadeResult(frame_size).result());
   EXPECT_EQ(hidden.score().pixels, 0);
 }
 

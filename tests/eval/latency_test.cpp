@@ -75,6 +75,12 @@ TEST(Latency, FarAndSmallObjectsDoNotCount) {
   EXPECT_TRUE(decision_latency(small, v0).empty());
 }
 
+TEST(Latency, EventsInFramesThatAreLeftOutDoNotCount) {
+  const std::vector<Sighting> sightings = film({{0, Answer::Static}, {2, Answer::Static}, {2, Answer::Moving}});
+  EXPECT_EQ(decision_latency(sightings, v0, 1).size(), 1U) << "what it did before is known";
+  EXPECT_TRUE(decision_latency(sightings, v0, 2).empty());
+}
+
 TEST(Latency, UnknownSpeedsSayNothing) {
   EXPECT_TRUE(decision_latency(film({{0, Answer::Static}, {-1, Answer::Moving}}), v0).empty());
   EXPECT_TRUE(decision_latency(film({{2, Answer::Static}, {-1, Answer::Moving}, {2, Answer::Moving}}), v0).empty());

@@ -67,6 +67,15 @@ TEST(ObjectScore, CountsAnswersByTruth) {
   EXPECT_EQ(score.bands[0].confusion.total(), 3);
 }
 
+TEST(ObjectScore, NoRightAnswerIsAnF1OfZero) {
+  Confusion confusion;
+  EXPECT_TRUE(std::isnan(confusion.f1()));
+  confusion.add(true, Answer::Missed);
+  EXPECT_DOUBLE_EQ(confusion.f1(), 0);
+  confusion.add(false, Answer::Moving);
+  EXPECT_DOUBLE_EQ(confusion.f1(), 0);
+}
+
 TEST(ObjectScore, SmallAndNewObjectsDoNotCount) {
   Scene scene(0);
   scene.add(1, {0, 0, 20, 9}, true, 5);  // 180 pixels

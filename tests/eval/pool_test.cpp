@@ -50,7 +50,7 @@ TEST(Pool, AddsObjectsAndAveragesMasks) {
 TEST(Pool, FailedRunsAndRunsWithoutMoversAreLeftOut) {
   std::vector<RunScore> runs{run("a", 1, 90, 1), run("b", 1, 80, 3), run("c", 1, 0, 1)};
   runs[1].error = "b: no such folder";
-  runs[2].objects->pixels = {{0, 0, 0, 0}};
+  runs[2].objects->pixels = {{0, 0, 0, 1}};  // where nothing moves, one pixel is labelled so
   const Pooled pooled = pool(runs, 1, 1);
   EXPECT_EQ(pooled.runs, 3);
   EXPECT_EQ(pooled.failed, 1);

@@ -154,12 +154,36 @@ TEST(CocoMasks, WhatIsWrongIsNamed) {
             ": annotations[0]: segmentation has counts that are no numbers of pixels");
   EXPECT_EQ(complaint(document(R"({"image_id": 11, "segmentation": [["a"]]})")),
             ": annotations[0]: segmentation has what is not a number");
+  EXPECT_EQ(complaint(document(
+                R"({"image_id": 11, "segmentation": [[1e200, 1e308, 300, 1e308, 300, -1e308], [0, 0, 1, 0, 0, 1]]})")),
+            ": annotations[0]: segmentation has a corner over 1e6 pixels away");
   EXPECT_EQ(complaint(document(R"({"id": 8, "image_id": 11, "segmentation": [[1, 2]]})")),
             ": annotation 8 of 000001.png: a polygon needs x and y of three corners or more");
   EXPECT_EQ(complaint(document(R"({"id": 8, "image_id": 11, "segmentation": {"size": [6, 4], "counts": [24]}})")),
             ": annotation 8 of 000001.png: is of an image of 4x6, the camera is 6x4");
   EXPECT_EQ(complaint(document(R"({"id": 8, "image_id": 11, "segmentation": {"size": [4, 6], "counts": "53"}})")),
             ": annotation 8 of 000001.png: the run lengths do not fill the image");
+}
+
+TEST(CocoMasks, OfAnotherSizeAreRefused) {
+  const RecordingFolder folder;
+  const auto read = [&](const std::string& size) {
+    folder.text("coco.json", R"({"images": [{"id": 11, "file_name": "000001.png", )" + size + "}], \"annotations\": [" +
+                                 square + "]}");
+    return runner::CocoMasks(folder.path() / "coco.json").read("000001.png", {6, 4}, {}).instances.size();
+  };
+  EXPECT_EQ(read(R"("width": 6, "height": 4)"), 1U);
+  EXPECT_EQ(read(R"("width": 6)"), 1U) << "half a size says nothing";
+  for (const char* const other :
+       {R"("width": 12, "height": 8)", R"("width": 0, "height": 0.5)", R"("width": 1, "height": "4")"})
+    EXPECT_THROW(read(other), runner::FileError) << other;
+  try {
+    read(R"("width": 12, "height": 8)");
+  } catch (const runner::FileError& error) {
+    EXPECT_NE(std::string(error.what()).find("coco.json: 000001.png is an image of 12x8, the camera is 6x4"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(CocoMasks, InARecording) {

@@ -15,13 +15,13 @@ using Names = std::vector<std::string>;
 
 Names names(const std::filesystem::path& source) {
   Names result;
-  for (const auto& file : runner::list_source(source).files) result.push_back(file.path.filename().string());
+  for (const auto& file : runner::list_source({}, source).files) result.push_back(file.path.filename().string());
   return result;
 }
 
 std::string complaint(const std::filesystem::path& source) {
   try {
-    runner::list_source(source);
+    runner::list_source({}, source);
   } catch (const runner::FileError& error) {
     return std::string(error.what()).substr(source.string().size());
   }
@@ -43,7 +43,7 @@ TEST(ImageSource, AFolder) {
   for (const char* const name : {"cam/img10.png", "cam/img9.JPG", "cam/img1.bmp", "cam/notes.txt", "cam/img2"})
     folder.text(name, "");
   EXPECT_EQ(names(folder.path() / "cam"), (Names{"img1.bmp", "img9.JPG", "img10.png"}));
-  EXPECT_FALSE(runner::list_source(folder.path() / "cam").numbered);
+  EXPECT_FALSE(runner::list_source(folder.path(), "cam").numbered);
   folder.text("empty/notes.txt", "");
   EXPECT_EQ(complaint(folder.path() / "empty"), ": holds no images");
   EXPECT_THROW(names(folder.path() / "none"), runner::FileError);
@@ -56,7 +56,7 @@ TEST(ImageSource, APattern) {
     folder.text(name, "");
   EXPECT_EQ(names(folder.path() / "l/left_%04d.png"), (Names{"left_0002.png", "left_0010.png", "left_10000.png"}));
   EXPECT_EQ(names(folder.path() / "l/left_%d.png"), (Names{"left_3.png", "left_10000.png"}));
-  const runner::ImageSource source = runner::list_source(folder.path() / "l/left_%04d.png");
+  const runner::ImageSource source = runner::list_source(folder.path(), "l/left_%04d.png");
   EXPECT_TRUE(source.numbered);
   EXPECT_EQ(source.files[1].number, 10);
   EXPECT_EQ(complaint(folder.path() / "l/middle_%04d.png"), ": there are no such files");

@@ -195,6 +195,16 @@ TEST(KittiRaw, TimesThatAreNone) {
        {"back a day", "2011-09-26 00:00:00\n2011-09-25 00:00:00\n", ":2: the date goes back"}});
 }
 
+TEST(KittiRaw, TimesMayGoBackWhereTheyAreLookedAt) {
+  const RecordingFolder folder("day/drive");
+  write_raw(folder);
+  folder.text("image_02/timestamps.txt", "2011-09-26 00:00:01\n2011-09-25 23:59:59\n");
+  runner::SequenceOptions options = folder.options();
+  options.check_times = false;
+  const runner::Recording recording = runner::open_recording(options);
+  EXPECT_NEAR(recording.entries[1].timestamp - recording.entries[0].timestamp, -2, 1e-9);
+}
+
 void write_navigation(const RecordingFolder& folder) {
   folder.text("../calib_imu_to_velo.txt", "R: 1 0 0 0 1 0 0 0 1\nT: 0 0 0\n");
   folder.text("../calib_velo_to_cam.txt", "R: 0 -1 0 0 0 -1 1 0 0\nT: 0 0 -1\n");

@@ -28,6 +28,15 @@ TEST(MasksFolder, NoneIsNoError) {
   EXPECT_TRUE(folder.open().entries[0].masks.empty());
 }
 
+TEST(MasksFolder, IsNotLookedAtWhereNoneAreAskedFor) {
+  const RecordingFolder folder;
+  write_frames(folder);
+  folder.text("masks/notes.txt", "no mask of any frame");
+  runner::SequenceOptions options = folder.options();
+  options.masks = false;
+  EXPECT_TRUE(runner::open_recording(options).entries[0].masks.empty());
+}
+
 TEST(MasksFolder, AFileInItsPlaceIsAnError) {
   const RecordingFolder folder;
   write_frames(folder);

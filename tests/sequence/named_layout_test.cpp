@@ -82,6 +82,20 @@ TEST(NamedLayout, PatternsByTheirNumbers) {
   EXPECT_NE(complaint(options).find("d%d.png: there is none for l_07.png"), std::string::npos) << complaint(options);
 }
 
+TEST(NamedLayout, APercentInTheFoldersNameMeansNothing) {
+  const RecordingFolder folder("100%d");
+  write_folders(folder);
+  ASSERT_EQ(complaint(options_for(folder)), "none");
+  EXPECT_EQ(runner::Sequence(options_for(folder)).read(2).number, 2);
+  write(folder, {"l_04.png", "l_07.png"}, CV_8UC1, 10);
+  write(folder, {"d4.png", "d5.png", "d7.png"}, CV_16UC1, 1000);
+  runner::SequenceOptions options = options_for(folder);
+  options.images = "l_%02d.png";
+  options.depth_dir = "d%d.png";
+  ASSERT_EQ(complaint(options), "none");
+  EXPECT_DOUBLE_EQ(metres(runner::Sequence(options).read(1)), 3) << "of number 7, not the second one";
+}
+
 TEST(NamedLayout, WhatIsMissingOrDoesNotFitIsNamed) {
   const RecordingFolder folder;
   write_folders(folder);
@@ -144,6 +158,15 @@ TEST(NamedLayout, ACameraOfOpen3D) {
   EXPECT_EQ(sequence.intrinsics().cy, 1.5);
   EXPECT_DOUBLE_EQ(sequence.read(1).timestamp, 1 / 30.0);
   EXPECT_DOUBLE_EQ(metres(sequence.read(0)), 2);
+  const auto says_of_scale = [&](const std::string& scale, const std::string& text) {
+    folder.text("intrinsic.json",
+                R"({"depth_scale": )" + scale +
+                    R"(, "height": 4, "intrinsic_matrix": [36, 0, 0, 0, 37, 0, 2.5, 1.5, 1], "width": 6})");
+    EXPECT_NE(complaint(options).find("intrinsic.json: depth_scale " + text), std::string::npos) << complaint(options);
+  };
+  says_of_scale("0", "needs a number from 1 to 1000000, not '0'");
+  says_of_scale("-1000", "needs a number from 1 to 1000000, not '-1000'");
+  says_of_scale("0.001", "is the number of units to the metre: of units of 0.001 m these are 1000");
   folder.text("intrinsic.json", before + "[36, 0, 0], \"width\": 6}");
   EXPECT_NE(complaint(options).find("intrinsic.json: has no 'intrinsic_matrix' of nine numbers"), std::string::npos);
   folder.text("intrinsic.json", "{}");

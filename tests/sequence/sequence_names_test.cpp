@@ -20,6 +20,13 @@ TEST(SequenceNames, FoldersOfOneNameAreToldApartByThoseAbove) {
   EXPECT_EQ(runner::sequence_names({"/one/x/clone", "/two/x/clone"}), (Names{"one-x-clone", "two-x-clone"}));
 }
 
+TEST(SequenceNames, OneWithoutFoldersAboveKeepsItsName) {
+  EXPECT_EQ(runner::sequence_names({"/data", "/mnt/data"}), (Names{"data", "mnt-data"}));
+  EXPECT_EQ(runner::sequence_names({"/mnt/data", "/data/", "/old/mnt/data"}),
+            (Names{"mnt-data", "data", "old-mnt-data"}));
+  EXPECT_THROW(runner::sequence_names({"/a/b", "/c/b", "/a-b"}), runner::UsageError) << "two would be a-b";
+}
+
 TEST(SequenceNames, TheSameFolderTwiceIsAnError) {
   EXPECT_THROW(runner::sequence_names({"/data/a", "/data/b/../a"}), runner::UsageError);
 }

@@ -90,6 +90,21 @@ TEST(TumRgbd, ErrorsNameFileAndLine) {
   EXPECT_EQ(folder.complaint(), (folder.path() / "groundtruth.txt").string() + ":1: must be a time and 7 numbers");
 }
 
+TEST(TumRgbd, TimesMayBeAnythingWhereTheyAreLookedAt) {
+  const RecordingFolder folder;
+  write_room(folder);
+  folder.text("rgb.txt", "10.06 rgb/10.06.png\n10.00 rgb/10.00.png\n");
+  folder.text("depth.txt", "10.055 depth/10.055.png\n10.005 depth/10.005.png\n1e12 depth/10.07.png\n");
+  runner::SequenceOptions options = folder.options();
+  options.check_times = false;
+  const runner::Recording recording = runner::open_recording(options);
+  ASSERT_EQ(recording.entries.size(), 2u);
+  EXPECT_DOUBLE_EQ(recording.entries[0].timestamp, 10.06);
+  EXPECT_EQ(recording.entries[0].depth, folder.path() / "depth/10.055.png");
+  EXPECT_DOUBLE_EQ(recording.entries[1].timestamp, 10);
+  EXPECT_EQ(recording.entries[1].depth, folder.path() / "depth/10.005.png");
+}
+
 /// Whatever stands there would be opened, /dev/zero without an end.
 TEST(TumRgbd, NamesThatLeadOutOfTheFolder) {
   using std::string_literals::operator""s;

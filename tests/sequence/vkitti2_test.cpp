@@ -56,6 +56,9 @@ TEST(Vkitti2, CameraDepthAndFiles) {
   EXPECT_EQ(recording.entries[1].depth, folder.path() / "frames/depth/Camera_0/depth_00001.png");
   EXPECT_TRUE(recording.entries[1].right.empty());
   EXPECT_EQ(recording.entries[1].masks, folder.path() / "frames/instanceSegmentation/Camera_0/instancegt_00001.png");
+  runner::SequenceOptions without_masks = folder.options();
+  without_masks.masks = false;
+  EXPECT_TRUE(runner::open_recording(without_masks).entries[1].masks.empty());
   const runner::FrameTruth truth = runner::Sequence(folder.options()).truth(0);
   EXPECT_FLOAT_EQ(truth.depth.at<float>(0, 0), 12.34F);
   EXPECT_EQ(truth.instance.at<int>(0, 0), 5);

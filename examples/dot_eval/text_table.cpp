@@ -118,9 +118,10 @@ std::string slow_table(const std::vector<Pooled>& pooled) {
   std::vector<std::string> header{"called moving, static, of"};
   for (const char* const band : band_names) header.push_back(std::string(band) + " m");
   Table table(header);
-  bool any = false;
+  bool found = false;
   for (const Pooled& p : pooled)
     for (std::size_t i = 1; i < speed_count && std::string(speed_names[i]) != "3-8"; ++i) {
+      bool any = false;
       std::vector<std::string> row{rate(p.every) + "  " + speed_names[i] + " m/s"};
       for (std::size_t b = 0; b < band_count; ++b) {
         const AnswerCounts& counts = p.by_speed[i][b];
@@ -129,9 +130,10 @@ std::string slow_table(const std::vector<Pooled>& pooled) {
         row.push_back(all > 0 ? of(Answer::Moving) + ", " + of(Answer::Static) + ", " + std::to_string(all) : "-");
         any = any || all > 0;
       }
-      table.add(std::move(row));
+      if (any) table.add(std::move(row));
+      found = found || any;
     }
-  return any ? '\n' + table.text() : "";
+  return found ? '\n' + table.text() : "";
 }
 
 std::string latency_lines(const std::vector<RunScore>& runs) {

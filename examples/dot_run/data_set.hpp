@@ -16,8 +16,7 @@ constexpr const char* log_name = "run.log";
 /// @param stop set by a signal: the sequences that run end after their frame, and no other begins.
 /// @return the program's exit status.
 /// @throws UsageError when complete results were made otherwise than is asked for now, or would go to a sequence's own
-/// folder, FileError when the list cannot
-/// be read or the table cannot be written.
+/// folder, FileError when the list cannot be read or the table cannot be written.
 int run_data_set(const Arguments& arguments, std::atomic<bool>& stop);
 
 }  // namespace runner

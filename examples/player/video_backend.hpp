@@ -8,8 +8,8 @@
 
 namespace player {
 
-/// The part of OpenCV that reads video files. It is FFmpeg where OpenCV has it: of a file that is no video the others would
-/// ask every camera at the machine, with lines of their own on stderr.
+/// The part of OpenCV that reads video files. It is FFmpeg where OpenCV has it: of a file that is no video the others
+/// would ask every camera at the machine, with lines of their own on stderr.
 inline int video_backend() {
   const auto backends = cv::videoio_registry::getStreamBackends();
   const bool ffmpeg = std::find(backends.begin(), backends.end(), cv::CAP_FFMPEG) != backends.end();

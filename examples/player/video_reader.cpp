@@ -49,7 +49,8 @@ class VideoReader : public runner::VideoInput {
  private:
   void open() {
     next_ = 0;
-    if (!capture_.open(path_.string(), video_backend())) throw runner::FileError(path_.string() + ": not a readable video");
+    if (!capture_.open(path_.string(), video_backend()))
+      throw runner::FileError(path_.string() + ": not a readable video");
     // Some backends then give 16-bit frames, as of a depth camera, which they otherwise turn into 8-bit colours.
     capture_.set(cv::CAP_PROP_CONVERT_RGB, 0);
   }

@@ -55,7 +55,7 @@ class DepthStep {
       if (heights[lag + kMaxLag] > heights[best + kMaxLag]) best = lag;
     }
     const double highest = heights[best + kMaxLag];
-    if (best == 0 || highest < kHigh || sums_[static_cast<std::size_t>(best + kMaxLag)][0].edges < kEdges) return 0;
+    if (best == 0 || highest < kHigh || sums_[index(best, kMaxLag)][0].edges < kEdges) return 0;
     for (int lag = -kMaxLag; lag <= kMaxLag; ++lag)
       if (lag != best && highest < kClearly * heights[lag + kMaxLag]) return 0;
     return best;
@@ -145,10 +145,16 @@ class DepthStep {
       ends.push_back({static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(x)});
   }
 
+  /// Index of a value from -most to most.
+  static std::size_t index(int value, int most) {
+    const int from_zero = value + most;
+    return static_cast<std::size_t>(from_zero);
+  }
+
   /// Adds the image's edges at the ends of things in the depth.
   void compare(const Frame& depth, const Frame& image, int lag) {
     for (std::size_t side = 0; side < 2; ++side) {
-      Sum& sum = sums_[static_cast<std::size_t>(lag + kMaxLag)][side];
+      Sum& sum = sums_[index(lag, kMaxLag)][side];
       for (const Edge& end : depth.ends[side]) {
         const std::uint8_t* row = image.rows.data() + static_cast<std::size_t>(end.row) * width_ + end.x;
         int strengths[2 * kSurroundings + 1], total = 0;
@@ -157,8 +163,7 @@ class DepthStep {
         constexpr float kNoise = 2;  // grey values
         const float mean = static_cast<float>(total) / (2 * kSurroundings + 1) + kNoise;
         for (int o = -kMaxOffset; o <= kMaxOffset; ++o)
-          sum.strength[static_cast<std::size_t>(o + kMaxOffset)] +=
-              std::min(3.0f, static_cast<float>(strengths[o + kSurroundings]) / mean);
+          sum.strength[index(o, kMaxOffset)] += std::min(3.0f, static_cast<float>(strengths[o + kSurroundings]) / mean);
         sum.edges += 1;
       }
     }
@@ -167,7 +172,7 @@ class DepthStep {
   /// Highest strength over the mean one, both sides together.
   double height(int lag) const {
     double height = 0;
-    for (const Sum& sum : sums_[static_cast<std::size_t>(lag + kMaxLag)]) {
+    for (const Sum& sum : sums_[index(lag, kMaxLag)]) {
       if (sum.edges <= 0) continue;
       double total = 0, highest = 0;
       for (const double s : sum.strength) total += s, highest = std::max(highest, s);

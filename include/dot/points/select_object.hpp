@@ -51,9 +51,10 @@ inline void admit(ImageView<const float> frame, const Box& box, ImageView<const 
   const int shift = is_large ? 1 : 0, rim = width + 2 * kReach;
   work.nearer.resize((rim + shift) >> shift, (height + 2 * kReach + shift) >> shift);
   work.nearer.fill(0);
-  work.row.resize(static_cast<std::size_t>(rim + 2));
+  const int row_length = rim + 2;
+  work.row.resize(static_cast<std::size_t>(row_length));
   float* const row = work.row.data();
-  std::fill_n(row, rim + 2, 0.0f);
+  std::fill_n(row, row_length, 0.0f);
   for (int y = -kReach; y < height + kReach; ++y) {
     if (box.y + y < 0 || box.y + y >= frame.height) continue;
     const int begin = std::max(-kReach, -box.x), end = std::min(width + kReach, frame.width - box.x);

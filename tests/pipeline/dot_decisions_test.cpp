@@ -374,6 +374,34 @@ TEST(LookBack, NeedsAnEarlierFrame) {
   EXPECT_EQ(o->reason, Reason::New);
 }
 
+// Two cars that look alike: one is seen in the first frame alone, the other only later, 4.5 m beside it. In a noisy
+// view one seems to be the other, at 45 m/s.
+TEST(FirstFit, ACarThatResemblesAnotherIsNotMoving) {
+  constexpr std::uint32_t gone = 1, stands = 2;
+  constexpr unsigned seed = 1000;
+  const Vector3<double> out_of_sight(0, 0, -20);
+  const auto seen = [&](double x, bool in_first) {
+    return
+        [=](double t) { return SE3d::translation((t < 0.05) == in_first ? Vector3<double>(x, 1.3, 8) : out_of_sight); };
+  };
+  Film<> film = film_at(10);
+  film.degradation.noise = 11;
+  film.add(car(gone, seed), seen(-2.5, true));
+  film.add(car(stands, seed), seen(2, false));
+  Tracker tracker = stereo_tracker();
+  for (int i = 0; i < 4; ++i) {
+    const Result& result = film.next(tracker);
+    if (i == 0) continue;
+    const ObjectResult* o = object_on(result, film.truth().ids, stands);
+    SCOPED_TRACE(std::to_string(i) + ": " + describe(o));
+    ASSERT_TRUE(o);
+    EXPECT_NE(o->state, State::Moving);
+    if (i == 3) {
+      EXPECT_EQ(o->state, State::Static);
+    }
+  }
+}
+
 // Beside a camera at 12 m/s, nearly as fast: where it would be if it stood is out of the image in the next frame.
 TEST(Alongside, AtTheCamerasSpeedIsFollowedFromTheFirstFrame) {
   Film<> film = film_at(10);

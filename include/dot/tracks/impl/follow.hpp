@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 /// @file
 /// Definitions of tracks/tracks.hpp, which includes this file.
@@ -138,10 +139,12 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval
     step.fit.reason = Reason::Hidden;
   } else {
     const bool discovered = t.identity.discovered;
+    const bool is_first = !discovered && !t.belief.has_velocity();
     const Noise noise = discovered ? Discovery<Camera, Noise>::bounded(setup.noise) : setup.noise;
     step = tracker(setup, noise)
                .follow(t.motion, t.belief, {t.observed, &observations, discovered}, interval,
                        std::as_const(nearer_).view(), worker.object);
+    if (is_first && step.fit.ok() && step.fit.phi < kSurePhi) choose_first_fit(t, interval, setup, worker);
   }
   decide(t, interval.cur, camera.T_cur_prev.R, camera.seconds, camera.seconds, discovery, setup);
 
@@ -155,6 +158,27 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval
                     outline.T_frame_shape.t == outline.T_now_shape.t;
   if (!t.observed && !same)
     outline.warp_by(outline.T_now_shape, interval.cur.inverse_depth(), setup.camera, setup.mask, worker.outline);
+}
+
+/// Replaces a first fit of low correlation by the fit from the current frame to the one before, if that is better. A
+/// first fit has no expected motion to start from, and each of the two may miss the right minimum.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::choose_first_fit(Track& t, const Interval& interval,
+                                                                  const Setup& setup, Worker& worker) const {
+  ObjectStep& step = t.motion.step;
+  std::optional<ObjectFit> back;
+  if (t.observed && interval.prev)
+    back = tracker(setup, setup.noise).align_backwards(t.motion, t.belief, *t.observed, interval, worker.object);
+  if (back && back->phi > step.fit.phi) {
+    step.fit = *back;
+    step.T_o = step.T_o_outline = back->T_o;
+    step.evidence = back->motion;
+    step.has_evidence = back->phi >= setup.estimator.settings.min_phi;
+  }
+  if (!is_doubtful(step.fit, setup.estimator.settings)) return;
+  step = {};
+  step.T_o = step.T_o_outline = t.belief.expected_motion(interval.camera.seconds);
+  step.fit.reason = Reason::LowCorrelation;
 }
 
 /// Updates the belief by the step. @param R_cur_fit rotates from the fit's axes to the current camera's.

@@ -64,7 +64,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::align_backwards(Track& t, const
                                                                  const Setup& setup, Worker& worker) const {
   const auto fit =
       tracker(setup, setup.noise).align_backwards(t.motion, t.belief, *t.observed, interval, worker.object);
-  if (!fit) return;
+  if (!fit || (!t.belief.has_velocity() && is_doubtful(*fit, setup.estimator.settings))) return;
   const SE3d& T_c = interval.camera.T_cur_prev;
   t.motion.correct(*fit, T_c);
   t.expected = t.motion.position_now;

@@ -27,6 +27,12 @@ def texture(size, clean):
     return ((clean["texture-low"]["figure"] * float(size) / 100) ** 2 + 1 + 1 / 12) ** 0.5
 
 
+def missing(size, clean):
+    """Those that are missing anyway, and of the others so many."""
+    before = clean["masks-missing"]["figure"] / 100
+    return 100 * (before + (1 - before) * float(size) / 100)
+
+
 # Of each fault: the name that it has in the report, the sizes to try, the true figure (None: it need only be named).
 TRIALS = {
     "depth-unit": ("depth-unit", ["mm", "5000", "cm"], lambda s, c: {"mm": 1000, "5000": 5000, "cm": 100}[s] / 256),
@@ -38,6 +44,7 @@ TRIALS = {
     "masks-late": ("masks-lag", ["1", "2", "-1"], same),
     "masks-size": ("masks-size", ["50", "75", "200"], same),
     "masks-values": ("masks-values", ["classes", "binary", "probabilities"], lambda s, c: None),
+    "masks-missing": ("masks-missing", ["20", "40", "60"], missing),
     "time-unit": ("time-unit", ["ms", "us", "ns"], lambda s, c: {"ms": 1e3, "us": 1e6, "ns": 1e9}[s]),
     "dropped": ("frames-dropped", ["1", "2", "4"], lambda s, c: 3 * int(s)),
     "twice": ("images-repeated", ["5", "10", "25"], same),

@@ -154,6 +154,18 @@ def masks_values(s, size):
     s.change["masks"] = change
 
 
+def masks_missing(s, size):
+    """each mask is missing in so many per cent of the frames, at random"""
+    def change(m, i):
+        out = m.copy()
+        random = np.random.default_rng(i)
+        for value in np.unique(m):
+            if random.random() < float(size) / 100:
+                out[m == value] = 0
+        return out
+    s.change["masks"] = change
+
+
 def time_unit(s, size):
     """times in ms, us or ns"""
     s.write_times = True
@@ -257,7 +269,7 @@ def hood(s, size):
 FAULTS = {
     "depth-unit": depth_unit, "depth-late": depth_late, "depth-offset": depth_offset, "focal": focal,
     "baseline": baseline, "rows": rows, "bias": bias, "masks-late": masks_late, "masks-size": masks_size,
-    "masks-values": masks_values, "time-unit": time_unit, "dropped": dropped, "dropped-silently": dropped_silently,
+    "masks-values": masks_values, "masks-missing": masks_missing, "time-unit": time_unit, "dropped": dropped, "dropped-silently": dropped_silently,
     "twice": twice, "depth-twice": depth_twice, "exposure": exposure, "blur": blur, "bands": bands,
     "depth-sparse": depth_sparse, "texture": texture, "hood": hood,
 }

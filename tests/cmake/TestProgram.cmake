@@ -3,6 +3,8 @@
 
 include(GoogleTest)
 
+set(DOT_TEST_TIMEOUT 300 CACHE STRING "seconds that one test may take; more where an emulator runs it")
+
 # dot_test_program(<target> <module> [LABELS <label>...]): the tests of a GoogleTest program, as <module>.<suite>.<name>.
 # With sanitizers a program takes most of a second to start, so there all of its tests are one, named <module>.
 function(dot_test_program target module)
@@ -11,6 +13,6 @@ function(dot_test_program target module)
     add_test(NAME ${module} COMMAND ${target} --gtest_brief=1)
     set_tests_properties(${module} PROPERTIES TIMEOUT 1200 LABELS "${arg_LABELS}")
   else()
-    gtest_discover_tests(${target} TEST_PREFIX ${module}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 LABELS "${arg_LABELS}")
+    gtest_discover_tests(${target} TEST_PREFIX ${module}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${DOT_TEST_TIMEOUT} LABELS "${arg_LABELS}")
   endif()
 endfunction()

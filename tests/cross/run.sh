@@ -20,7 +20,7 @@ say "sysroot of $machine in $sysroot"
 cmake/cross/sysroot.sh "$machine" "$triplet" "$sysroot" libc6-dev libopencv-dev libeigen3-dev libgtest-dev libbenchmark-dev
 
 say "building for $machine in $build"
-cmake -S . -B "$build" -G Ninja --toolchain "cmake/cross/$machine.cmake" -DCMAKE_BUILD_TYPE=Release -DDOT_INSTALL=OFF
+cmake -S . -B "$build" -G Ninja --toolchain "cmake/cross/$machine.cmake" -DCMAKE_BUILD_TYPE=Release -DDOT_INSTALL=OFF -DDOT_TEST_TIMEOUT=1200
 modules=(lie kernel image points align motion)
 capi=(tests/capi/*.c)
 capi=("${capi[@]##*/}") capi=("${capi[@]%.c}")
@@ -28,7 +28,7 @@ nice cmake --build "$build" --parallel "$jobs" --target "${modules[@]/#/test_}" 
   test_core_layout test_core_shared example_c dot_run dot_bench
 
 say "testing under $emulator"
-nice ctest --test-dir "$build" --output-on-failure --timeout 600 -j"$jobs" \
+nice ctest --test-dir "$build" --output-on-failure -j"$jobs" \
   -R "^($(IFS='|' && echo "${modules[*]}")|capi|core)\\.|^runner\\.sample|^example\\.c\$"
 
 say "the sample, here and under $emulator"

@@ -46,7 +46,7 @@ struct Item {
     return *found;
   }
   std::int64_t whole(const std::string& name, std::int64_t most = largest_whole) const {
-    const std::optional<std::int64_t> number = to_whole(get(name, Type::Number).number, -most, most);
+    const std::optional<std::int64_t> number = to_whole(get(name, Type::Number).number(), -most, most);
     if (!number) fail(name + " is not a whole number");
     return *number;
   }
@@ -59,14 +59,14 @@ void for_each(const std::filesystem::path& path, const JsonValue& document, cons
   if (found == nullptr && !needed) return;
   if (found == nullptr || !found->is(Type::Array))
     throw FileError(path.string() + ": has no list '" + list + "': COCO's format has images, annotations, categories");
-  for (std::size_t i = 0; i < found->array.size(); ++i) function(Item{path, list, i, found->array[i]});
+  for (std::size_t i = 0; i < found->array().size(); ++i) function(Item{path, list, i, found->array()[i]});
 }
 
 std::vector<double> numbers(const Item& item, const JsonValue& list) {
   std::vector<double> values;
-  for (const JsonValue& value : list.array) {
+  for (const JsonValue& value : list.array()) {
     if (!value.is(Type::Number)) item.fail("segmentation has what is not a number");
-    values.push_back(value.number);
+    values.push_back(value.number());
   }
   return values;
 }
@@ -81,8 +81,8 @@ std::vector<double> coordinates(const Item& item, const JsonValue& polygon) {
 cv::Size size_of(const Item& item, const JsonValue& segmentation) {
   constexpr int largest_side = 65535;
   const JsonValue* size = segmentation.find("size");
-  const auto side = [&](std::size_t i) { return to_whole(size->array[i].number, 1, largest_side); };
-  if (size == nullptr || size->array.size() != 2 || !side(0) || !side(1))
+  const auto side = [&](std::size_t i) { return to_whole(size->array()[i].number(), 1, largest_side); };
+  if (size == nullptr || size->array().size() != 2 || !side(0) || !side(1))
     item.fail("segmentation has no size [height, width]");
   return {*side(1), *side(0)};
 }
@@ -97,7 +97,7 @@ CocoMasks::CocoMasks(std::filesystem::path path) : path_(std::move(path)) {
     throw FileError(path_.string() + ": is not an object with images and annotations, as COCO's format has them");
   std::map<std::int64_t, std::string> names;
   for_each(path_, document, "images", true, [&](const Item& item) {
-    const std::string& name = item.get("file_name", Type::String).string;
+    const std::string& name = item.get("file_name", Type::String).string();
     const auto [image, is_new] = images_.try_emplace(key(name));
     if (!is_new) item.fail(quoted(name) + " is named as another image");
     if (!names.emplace(item.whole("id"), key(name)).second) item.fail("has the id of another image");
@@ -106,32 +106,33 @@ CocoMasks::CocoMasks(std::filesystem::path path) : path_(std::move(path)) {
     image->second.size = {static_cast<int>(item.whole("width", most)), static_cast<int>(item.whole("height", most))};
   });
   for_each(path_, document, "categories", false, [&](const Item& item) {
-    categories_[static_cast<std::int32_t>(item.whole("id", largest_category))] = item.get("name", Type::String).string;
+    categories_[static_cast<std::int32_t>(item.whole("id", largest_category))] =
+        item.get("name", Type::String).string();
   });
   for_each(path_, document, "annotations", true, [&](const Item& item) {
     const auto image = names.find(item.whole("image_id"));
     if (image == names.end()) item.fail("image_id is that of no image");
     const JsonValue* crowd = item.value.find("iscrowd");
-    if (crowd != nullptr && crowd->number != 0) return;
+    if (crowd != nullptr && crowd->number() != 0) return;
     Annotation a;
     a.id = item.value.find("id") != nullptr ? item.whole("id") : static_cast<std::int64_t>(item.index);
     if (item.value.find("category_id") != nullptr)
       a.category = static_cast<std::int32_t>(item.whole("category_id", largest_category));
     if (const JsonValue* score = item.find("score", Type::Number)) {
       constexpr double most = 1e6;
-      if (!(std::abs(score->number) <= most)) item.fail("score is out of range");
-      a.score = static_cast<float>(score->number);
+      if (!(std::abs(score->number()) <= most)) item.fail("score is out of range");
+      a.score = static_cast<float>(score->number());
     }
     const JsonValue* shape = item.value.find("segmentation");
     if (shape == nullptr) item.fail("has no segmentation");
     if (shape->is(Type::Array)) {
-      for (const JsonValue& polygon : shape->array) a.polygons.push_back(coordinates(item, polygon));
+      for (const JsonValue& polygon : shape->array()) a.polygons.push_back(coordinates(item, polygon));
     } else if (shape->is(Type::Object)) {
       a.size = size_of(item, *shape);
       const JsonValue* counts = shape->find("counts");
       if (counts == nullptr || !(counts->is(Type::String) || counts->is(Type::Array)))
         item.fail("segmentation has no counts");
-      a.compressed_runs = counts->string;
+      a.compressed_runs = counts->string();
       for (const double length : numbers(item, *counts)) {
         const std::optional<std::int64_t> whole = to_whole(length, std::int64_t{0}, largest_whole);
         if (!whole) item.fail("segmentation has counts that are no numbers of pixels");

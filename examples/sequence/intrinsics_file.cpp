@@ -81,16 +81,16 @@ CameraFile read_open3d(const fs::path& path) {
   const auto number = [&](const char* name) {
     const JsonValue* value = document.find(name);
     if (value == nullptr || !value->is(JsonValue::Type::Number)) wrong(std::string("has no number '") + name + "'");
-    return value->number;
+    return value->number();
   };
   CameraFile camera;
   const JsonValue* matrix = document.find("intrinsic_matrix");
-  if (matrix == nullptr || matrix->array.size() != 9) wrong("has no 'intrinsic_matrix' of nine numbers");
-  const std::vector<JsonValue>& m = matrix->array;
-  camera.intrinsics = {m[0].number,
-                       m[4].number,
-                       m[6].number,
-                       m[7].number,
+  if (matrix == nullptr || matrix->array().size() != 9) wrong("has no 'intrinsic_matrix' of nine numbers");
+  const std::vector<JsonValue>& m = matrix->array();
+  camera.intrinsics = {m[0].number(),
+                       m[4].number(),
+                       m[6].number(),
+                       m[7].number(),
                        to_whole(place, "width", number("width"), 1, largest_side),
                        to_whole(place, "height", number("height"), 1, largest_side),
                        0};

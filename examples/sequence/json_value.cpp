@@ -55,29 +55,27 @@ class Parser {
     constexpr int deepest = 64;
     if (depth > deepest) fail("is nested too deep");
     const char c = peek();
-    JsonValue value;
     if (c == '{') {
-      value.type = JsonValue::Type::Object;
+      JsonValue::Object object;
       list('{', '}', [&] {
         if (peek() != '"') fail("a name is missing");
         std::string name = string();
         expect(':');
-        value.object.emplace_back(std::move(name), parse(depth + 1));
+        object.emplace_back(std::move(name), parse(depth + 1));
       });
-    } else if (c == '[') {
-      value.type = JsonValue::Type::Array;
-      list('[', ']', [&] { value.array.push_back(parse(depth + 1)); });
-    } else if (c == '"') {
-      value.type = JsonValue::Type::String;
-      value.string = string();
-    } else if (word("true") || word("false")) {
-      value.type = JsonValue::Type::Boolean;
-      value.number = c == 't' ? 1 : 0;
-    } else if (!word("null")) {
-      value.type = JsonValue::Type::Number;
-      value.number = number();
+      object.shrink_to_fit();
+      return JsonValue(std::move(object));
     }
-    return value;
+    if (c == '[') {
+      JsonValue::Array array;
+      list('[', ']', [&] { array.push_back(parse(depth + 1)); });
+      array.shrink_to_fit();
+      return JsonValue(std::move(array));
+    }
+    if (c == '"') return JsonValue(string());
+    if (word("true") || word("false")) return JsonValue(c == 't');
+    if (word("null")) return {};
+    return JsonValue(number());
   }
 
   template <typename Item>
@@ -168,7 +166,7 @@ class Parser {
 }  // namespace
 
 const JsonValue* JsonValue::find(const std::string& name) const {
-  for (const auto& [key, value] : object)
+  for (const auto& [key, value] : object())
     if (key == name) return &value;
   return nullptr;
 }

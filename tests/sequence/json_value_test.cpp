@@ -22,25 +22,25 @@ TEST(JsonValue, EachType) {
   const RecordingFolder folder;
   const JsonValue v = parse(folder, " {\"a\": [1, -2.5e3, true, false, null, \"x\", []], \"b\": {}}\r\n");
   ASSERT_TRUE(v.is(Type::Object));
-  ASSERT_EQ(v.object.size(), 2U);
+  ASSERT_EQ(v.object().size(), 2U);
   const JsonValue* a = v.find("a");
   ASSERT_NE(a, nullptr);
-  ASSERT_EQ(a->array.size(), 7U);
-  EXPECT_EQ(a->array[0].number, 1);
-  EXPECT_EQ(a->array[1].number, -2500);
-  EXPECT_TRUE(a->array[2].is(Type::Boolean) && a->array[2].number == 1);
-  EXPECT_TRUE(a->array[3].is(Type::Boolean) && a->array[3].number == 0);
-  EXPECT_TRUE(a->array[4].is(Type::Null));
-  EXPECT_EQ(a->array[5].string, "x");
-  EXPECT_TRUE(a->array[6].is(Type::Array) && a->array[6].array.empty());
+  ASSERT_EQ(a->array().size(), 7U);
+  EXPECT_EQ(a->array()[0].number(), 1);
+  EXPECT_EQ(a->array()[1].number(), -2500);
+  EXPECT_TRUE(a->array()[2].is(Type::Boolean) && a->array()[2].number() == 1);
+  EXPECT_TRUE(a->array()[3].is(Type::Boolean) && a->array()[3].number() == 0);
+  EXPECT_TRUE(a->array()[4].is(Type::Null));
+  EXPECT_EQ(a->array()[5].string(), "x");
+  EXPECT_TRUE(a->array()[6].is(Type::Array) && a->array()[6].array().empty());
   EXPECT_TRUE(v.find("b")->is(Type::Object));
   EXPECT_EQ(v.find("c"), nullptr);
 }
 
 TEST(JsonValue, Escapes) {
   const RecordingFolder folder;
-  EXPECT_EQ(parse(folder, R"("\"\\\/\b\f\n\r\t")").string, "\"\\/\b\f\n\r\t");
-  EXPECT_EQ(parse(folder, R"("\u0041\u00e9\u20AC\ud83d\ude00")").string, "A\xC3\xA9\xE2\x82\xAC\xF0\x9F\x98\x80");
+  EXPECT_EQ(parse(folder, R"("\"\\\/\b\f\n\r\t")").string(), "\"\\/\b\f\n\r\t");
+  EXPECT_EQ(parse(folder, R"("\u0041\u00e9\u20AC\ud83d\ude00")").string(), "A\xC3\xA9\xE2\x82\xAC\xF0\x9F\x98\x80");
 }
 
 TEST(JsonValue, DamagedDocumentsAreToldWithTheirLine) {

@@ -63,7 +63,8 @@ available_compilers() {
   for version in 10 11 12 13 14; do ! installable "gcc-$version" || echo "g++-$version"; done
   for version in 14 15 16 17 18 19; do ! installable "clang-$version" || echo "clang++-$version"; done
 }
-installable() { apt-cache policy "$1" 2>/dev/null | grep -q '^  Candidate: [0-9]'; }
+# Not by "grep -q" behind a pipe: it ends before apt-cache has written all, and the pipe counts as failed.
+installable() { [[ $(apt-cache policy "$1" 2>/dev/null) == *'Candidate: '[0-9]* ]]; }
 
 # try_compiler COMPILER FOLDER: prints the row of the table; all else goes to FOLDER.log.
 try_compiler() {

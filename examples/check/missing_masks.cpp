@@ -18,6 +18,7 @@ constexpr double widest = 640;   ///< pixels; larger images are made smaller
 constexpr int least_area = 150;  ///< pixels of a mask, after that
 constexpr int least_side = 10;
 constexpr int reach = 60;             ///< pixels that a thing may move between two frames
+constexpr double textured = 5;        ///< grey values, standard deviation; a flat thing is found everywhere
 constexpr double same_picture = 0.8;  ///< correlation from which on the image still shows it
 constexpr double masked = 0.3;        ///< share of its pixels that are masked, from which on it has a mask
 
@@ -53,6 +54,9 @@ std::map<int, cv::Rect> boxes_of(const cv::Mat& ids) {
 
 /// Whether the next frame still shows what is in the box: the place where it does.
 bool find_again(const Small& before, const Small& now, const cv::Rect& box, cv::Rect& there) {
+  cv::Scalar mean, deviation;
+  cv::meanStdDev(before.grey(box), mean, deviation);
+  if (deviation[0] < textured || now.grey.size() != before.grey.size()) return false;
   const cv::Rect image({}, now.grey.size());
   const cv::Rect window = (box + cv::Size(2 * reach, 2 * reach) - cv::Point(reach, reach)) & image;
   cv::Mat match;

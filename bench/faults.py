@@ -269,8 +269,8 @@ def hood(s, size):
 FAULTS = {
     "depth-unit": depth_unit, "depth-late": depth_late, "depth-offset": depth_offset, "focal": focal,
     "baseline": baseline, "rows": rows, "bias": bias, "masks-late": masks_late, "masks-size": masks_size,
-    "masks-values": masks_values, "masks-missing": masks_missing, "time-unit": time_unit, "dropped": dropped, "dropped-silently": dropped_silently,
-    "twice": twice, "depth-twice": depth_twice, "exposure": exposure, "blur": blur, "bands": bands,
+    "masks-values": masks_values, "masks-missing": masks_missing, "time-unit": time_unit, "dropped": dropped,
+    "dropped-silently": dropped_silently, "twice": twice, "depth-twice": depth_twice, "exposure": exposure, "blur": blur, "bands": bands,
     "depth-sparse": depth_sparse, "texture": texture, "hood": hood,
 }
 

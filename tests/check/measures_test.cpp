@@ -248,17 +248,16 @@ TEST(CheckMasks, FindsSizeValuesAndLag) {
 }
 
 TEST(CheckMasks, CountsThingsThatLoseTheirMask) {
-  check::Samples samples = made_samples();
-  EXPECT_EQ(find(check::check_missing_masks(samples), "masks-missing").verdict, check::Verdict::Fine);
+  Samples samples = made_samples();
+  expect_fine(find(check::check_missing_masks(samples), "masks-missing"));
   // The second box in every third frame.
   for (std::size_t i = 2; i < samples.frames.size(); i += 3) samples.frames[i].ids.setTo(0, samples.frames[i].ids == 2);
-  const check::Finding found = find(check::check_missing_masks(samples), "masks-missing");
-  EXPECT_EQ(found.verdict, check::Verdict::Fault);
-  EXPECT_NEAR(found.figure, 100.0 / 8, 4);  // of three pairs of frames they show eight things
+  const double figure = 100.0 / 8;  // of three pairs of frames the first ones show eight things
+  expect_fault(find(check::check_missing_masks(samples), "masks-missing"), figure, 4);
   // A segmentation that was not made is none that misses things.
   for (check::Sample& frame : samples.frames)
     if (frame.index % 3 == 2) frame.ids = cv::Mat();
-  EXPECT_EQ(find(check::check_missing_masks(samples), "masks-missing").verdict, check::Verdict::Unknown);
+  EXPECT_EQ(find(check::check_missing_masks(samples), "masks-missing").verdict, Verdict::Unknown);
 }
 
 TEST(CheckExposure, MeasuresJumpsAndBands) {

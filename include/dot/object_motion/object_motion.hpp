@@ -33,6 +33,8 @@ struct ObjectMotion {
   Place position_now;                         ///< of its middle
   double size = 0;                            ///< metres: root of the largest area that it has shown
   ObjectStep step;                            ///< the step that led to `now`
+  MotionEstimate doubted;                     ///< a first motion that was refused, axes of the frame that it led to
+  double doubted_at = -std::numeric_limits<double>::infinity();  ///< timestamp of that frame
 
   /// Drops all references, because they are no longer valid.
   void forget_references(Reason reason) {

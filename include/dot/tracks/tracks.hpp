@@ -100,11 +100,7 @@ class Tracks {
 
  private:
   static constexpr double kSurePhi = 0.95;  ///< Pearson correlation from which on a first fit needs no other
-  /// Whether a first fit is probably wrong: it correlates badly, and is faster than what was searched for.
-  static bool is_doubtful(const ObjectFit& fit, const ObjectSettings& settings) {
-    return fit.phi < kSurePhi && fit.motion.velocity.norm() > settings.search_speed;
-  }
-  static constexpr int kReach = 32;  ///< pixels; even a small object may move so far unexpectedly
+  static constexpr int kReach = 32;         ///< pixels; even a small object may move so far unexpectedly
 
   /// A track with the classifier's memory of it.
   struct ClassifiedTrack : Track {
@@ -117,6 +113,7 @@ class Tracks {
   void follow(Track& t, const Interval& interval, const Observations& observations,
               const Discovery<Camera, Noise>& discovery, const Setup& setup, Worker& worker) const;
   void choose_first_fit(Track& t, const Interval& interval, const Setup& setup, Worker& worker) const;
+  static bool refuses(ObjectMotion& motion, const ObjectFit& first, const Interval& interval, const Setup& setup);
   void decide(Track& t, const FrameData& cur, const Matrix3<double>& R_cur_fit, double seconds, double dt,
               const Discovery<Camera, Noise>& discovery, const Setup& setup) const;
   void place(Track& t, const Interval& interval, const FramePtr& frame, bool segmented,

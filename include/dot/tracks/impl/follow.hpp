@@ -175,10 +175,26 @@ void Tracks<Camera, Classifier, Noise, Aligner>::choose_first_fit(Track& t, cons
     step.evidence = back->motion;
     step.has_evidence = back->phi >= setup.estimator.settings.min_phi;
   }
-  if (!is_doubtful(step.fit, setup.estimator.settings)) return;
+  if (!refuses(t.motion, step.fit, interval, setup)) return;
   step = {};
   step.T_o = step.T_o_outline = t.belief.expected_motion(interval.camera.seconds);
   step.fit.reason = Reason::LowCorrelation;
+}
+
+/// Whether a first fit is probably wrong. It correlates badly, is faster than what was searched for, and the frame
+/// before had no such fit that agrees. @param first in the axes of the previous camera.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+bool Tracks<Camera, Classifier, Noise, Aligner>::refuses(ObjectMotion& motion, const ObjectFit& first,
+                                                         const Interval& interval, const Setup& setup) {
+  const ObjectSettings& settings = setup.estimator.settings;
+  if (first.phi >= kSurePhi || first.motion.velocity.norm() <= settings.search_speed) return false;
+  const KnownVelocity doubted{motion.doubted.velocity, motion.doubted.covariance, interval.camera.seconds};
+  if (interval.prev && motion.doubted_at == interval.prev->timestamp &&
+      !doubted.contradicts(first.motion, settings.max_acceleration))
+    return false;
+  motion.doubted = first.motion.rotated(interval.camera.T_cur_prev.R);
+  motion.doubted_at = interval.cur.timestamp;
+  return true;
 }
 
 /// Updates the belief by the step. @param R_cur_fit rotates from the fit's axes to the current camera's.

@@ -62,9 +62,10 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Tracks<Camera, Classifier, Noise, Aligner>::align_backwards(Track& t, const Interval& interval,
                                                                  const Discovery<Camera, Noise>& discovery,
                                                                  const Setup& setup, Worker& worker) const {
+  if (t.motion.doubted_at == interval.cur.timestamp) return;  // it was tried
   const auto fit =
       tracker(setup, setup.noise).align_backwards(t.motion, t.belief, *t.observed, interval, worker.object);
-  if (!fit || (!t.belief.has_velocity() && is_doubtful(*fit, setup.estimator.settings))) return;
+  if (!fit || (!t.belief.has_velocity() && refuses(t.motion, *fit, interval, setup))) return;
   const SE3d& T_c = interval.camera.T_cur_prev;
   t.motion.correct(*fit, T_c);
   t.expected = t.motion.position_now;

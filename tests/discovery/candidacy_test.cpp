@@ -68,17 +68,31 @@ TEST(Candidacy, LosesItsConfirmationAgain) {
 
 TEST(Candidacy, IsShownWhileItMovesWithSupport) {
   Candidacy candidacy;
-  candidacy.is_candidate = true;
-  candidacy.support = 0.5;
-  candidacy.decide(State::Moving, 0.5, dt);
+  candidacy.confirmed = 0.2;
+  candidacy.decide(State::Moving);
+  EXPECT_TRUE(candidacy.is_candidate) << "nothing tells that its pixels do not stand";
+  candidacy.examine(1, dt);
+  candidacy.confirmed = 0;
+  candidacy.decide(State::Moving);
   EXPECT_TRUE(candidacy.is_candidate) << "not confirmed";
   candidacy.confirmed = 0.2;
-  candidacy.decide(State::NotObservable, 0.5, dt);
+  candidacy.decide(State::NotObservable);
   EXPECT_TRUE(candidacy.is_candidate);
-  candidacy.decide(State::Moving, 0.5, dt);
+  candidacy.decide(State::Moving);
   EXPECT_FALSE(candidacy.is_candidate);
-  for (int i = 0; i < 10; ++i) candidacy.decide(State::Moving, 0, dt);
+  for (int i = 0; i < 10; ++i) candidacy.examine(0, dt);
+  candidacy.decide(State::Moving);
   EXPECT_TRUE(candidacy.is_candidate) << "its pixels contradict a standing scene no more";
+}
+
+TEST(Candidacy, OneFrameDoesNotOutweighThoseBefore) {
+  Candidacy candidacy;
+  candidacy.examine(1, dt);
+  EXPECT_EQ(candidacy.support, 1) << "the first has nothing before it";
+  candidacy.examine(0, dt);
+  EXPECT_NEAR(candidacy.support, 1 - dt / Candidacy::kSupportSeconds, 1e-12);
+  candidacy.examine(0, 10);
+  EXPECT_EQ(candidacy.support, 0) << "after a long gap this frame alone counts";
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ struct Street : StageStreet {
     const auto then = late.frames().find(static_cast<std::uint64_t>(film.index() - delay));
     ASSERT_NE(then, late.frames().end());
     const StageSetup::Setup policies = setup;
-    late.apply(then, masks, cur->timestamp, {tracks, observations, labeller, discovery, policies});
+    late.apply(then, masks, cur->timestamp, {tracks, observations, labeller, policies});
   }
 };
 

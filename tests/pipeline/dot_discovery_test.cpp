@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -220,6 +221,26 @@ TEST(Discovery, FlickeringDepthIsNotFound) {
         if (i % 4 < 2) seen.depth(x, y) *= 0.5f;
   };
   expect_nothing(film, 20);
+}
+
+// Beside the mover, the textured wall seems to be as near as the mover in every other frame.
+TEST(Discovery, WhatStandsIsTakenOutOfTheMask) {
+  Film<> film = blind_film();
+  film.add(mover, straight({-3.5, 1.3, 8}, {2.5, 0, 0}));
+  film.spoil = [&](int i, Rendering& seen) {
+    const Image<std::uint32_t>& ids = film.truth().ids;
+    int left = ids.width(), right = 0, top = ids.height(), bottom = 0;
+    for (int y = 0; y < ids.height(); ++y)
+      for (int x = 0; x < ids.width(); ++x)
+        if (ids(x, y) == mover) {
+          left = std::min(left, x), right = std::max(right, x);
+          top = std::min(top, y), bottom = std::max(bottom, y);
+        }
+    for (int y = std::max(0, top - 10); y < bottom; ++y)
+      for (int x = right + 1; x < std::min(ids.width(), right + 80); ++x)
+        if (i % 2 == 1 && left < right) seen.depth(x, y) = 7.3f;
+  };
+  expect_found(film, 18, 8);
 }
 
 // It moves in the image, but nothing of the scene does: its depth is that of the ground.

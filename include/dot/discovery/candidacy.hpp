@@ -14,13 +14,14 @@ DOT_BEGIN_NAMESPACE
 struct Candidacy {
   static constexpr double kConfirmedSeconds = 0.05;    ///< seconds of agreeing fits after which a discovery is shown
   static constexpr double kMaxConfirmedSeconds = 0.5;  ///< upper limit of `confirmed`
-  static constexpr double kMinSupport = 0.15;          ///< least support of an object that is shown
+  static constexpr double kMinSupport = 0.5;           ///< least support of an object that is shown
   static constexpr double kSupportSeconds = 0.3;       ///< time constant of the support
   static constexpr double kSeconds = 0.25;             ///< an unconfirmed candidate must be seen again within
 
   bool is_candidate = false;  ///< it does not count as moving now, and is not shown
   double confirmed = 0;       ///< seconds with fits that agreed with earlier ones, minus seconds with others
-  double support = 0;         ///< share of the mask that contradicts a static scene; smoothed
+  bool is_examined = false;   ///< whether there was any evidence for `support`
+  double support = 0;         ///< how sure it is that its pixels do not stand, 0 to 1; smoothed
 
   /// Whether its motion was confirmed for long enough to report it.
   bool was_confirmed() const { return confirmed >= kConfirmedSeconds; }
@@ -31,14 +32,16 @@ struct Candidacy {
   /// @param dt seconds since the frame before.
   void confirm(const ObjectStep& step, const ObjectBelief& belief, const VelocitySettings& settings, double dt);
 
-  /// Decides whether it is shown. It is shown while its belief is *moving* and the pixels under its mask still
-  /// contradict a static scene. The fits alone can be wrong for long, because a uniform wall correlates with itself
-  /// when shifted.
-  /// @param share of the mask that contradicts a static scene in this frame. @param dt seconds since the frame before.
-  void decide(State state, double share, double dt) {
-    support += (share - support) * std::min(1.0, dt / kSupportSeconds);
-    is_candidate = state != State::Moving || support < kMinSupport || !was_confirmed();
+  /// Takes this frame's evidence that its pixels do not stand. The fits alone can be wrong for long, because a uniform
+  /// wall correlates with itself when shifted.
+  /// @param certainty 0 to 1. @param dt seconds since the frame before.
+  void examine(double certainty, double dt) {
+    support = is_examined ? support + (certainty - support) * std::min(1.0, dt / kSupportSeconds) : certainty;
+    is_examined = true;
   }
+
+  /// Decides whether it is shown: while its belief is *moving*, fits confirm it, and its pixels do not stand.
+  void decide(State state) { is_candidate = state != State::Moving || support < kMinSupport || !was_confirmed(); }
 };
 
 DOT_END_NAMESPACE

@@ -11,12 +11,14 @@
 #include "dot/camera/depth_noise.hpp"
 #include "dot/containers/recycling_list.hpp"
 #include "dot/discovery/inconsistency.hpp"
+#include "dot/discovery/moving_part.hpp"
 #include "dot/discovery/region_grower.hpp"
 #include "dot/discovery/region_painter.hpp"
 #include "dot/discovery/supporting_planes.hpp"
 #include "dot/image/depth_pyramid.hpp"
 #include "dot/image/morphology.hpp"
 #include "dot/image/pyramid.hpp"
+#include "dot/object_motion/reference.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -96,8 +98,33 @@ class Discovery {
     see(q.width(), q.height());
   }
 
-  /// Share of a mask's cells that contradict a static scene in this frame.
-  double support(const Mask& mask) const {
+  /// Compares an object's motion with standing, in the frames that are kept both here and as references of the object.
+  /// Must be called between `find` and `remember`. @param mask of the object now. @param references of the object, with
+  /// their motion to the current frame. @param out what of the mask moves.
+  void compare(const Camera& camera, const Noise& noise, const Mask& mask,
+               const RecyclingList<ObjectReference>& references, MovingPart& out) const {
+    const int cell = 1 << level_, half = cell / 2;
+    const Camera cells = camera.at_level(level_);
+    out.evidence.restart(mask, cell);
+    int compared = 0;
+    for (std::size_t i = references.size(); i-- > 0 && compared < kMostCompared;)
+      for (const Reference& r : history_) {
+        if (r.timestamp != references[i].timestamp) continue;
+        const CellComparison<Camera, Noise> compare{cells, noise, test_, current_, r.frame, r.motion};
+        compare(
+            references[i].T_obj_now_ref, [&](int x, int y) { return mask.at(x * cell + half, y * cell + half); },
+            out.evidence);
+        ++compared;
+      }
+    out.find(mask, cell, [&](int x, int y) {
+      const Image<float>& depth = inconsistency_.depth;
+      return depth.contains(x, y) && RegionGrower::contradicts(inconsistency_, y * depth.width() + x);
+    });
+  }
+
+  /// How sure it is, 0 to 1, that a mask's cells do not stand, by the share of them that contradict a static scene in
+  /// this frame. The share that a region needs is enough to be sure.
+  double certainty(const Mask& mask) const {
     const int cell = 1 << level_, half = cell / 2;
     int count = 0, contradicting = 0;
     for (int y = mask.y / cell; y * cell + half < mask.y + mask.height(); ++y)
@@ -106,7 +133,7 @@ class Discovery {
         ++count;
         contradicting += RegionGrower::contradicts(inconsistency_, y * inconsistency_.depth.width() + x);
       }
-    return count > 0 ? static_cast<double>(contradicting) / count : 0;
+    return count > 0 ? std::min(1.0, contradicting / (RegionGrower::kMinShare * count)) : 0;
   }
 
   /// Keeps the frame of the last `find` as a reference. @param ids of the tracks shown, 0 = background.
@@ -133,6 +160,8 @@ class Discovery {
   }
 
  private:
+  static constexpr int kMostCompared = 3;  ///< frames that a motion is compared in; the oldest ones tell most
+
   struct Reference {
     CellFrame frame;
     Image<float> standing;    ///< inverse depth, 0 where tracks explain the pixel

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "dot/camera/concept.hpp"
+#include "dot/discovery/cell_warp.hpp"
 #include "dot/image/image.hpp"
 #include "dot/image/pyramid.hpp"
 #include "dot/lie/se3.hpp"
@@ -93,19 +93,19 @@ class InconsistencyTest {
   static constexpr float kLeaving = 0.25f;       ///< of the present range
   static constexpr float kGradientNoise = 0.2f;  ///< cells
 
-  /// @param camera of the cells' level.
-  void prepare(const Camera& camera) {
-    if (x_.width() == camera.width() && x_.height() == camera.height()) return;
-    y_.resize(camera.width(), camera.height());  // x_ comes last: its size shows that both are ready
-    x_.resize(camera.width(), camera.height());
-    for (int v = 0; v < camera.height(); ++v)
-      for (int u = 0; u < camera.width(); ++u) {
-        const Vector3<float> ray =
-            camera.template unproject<float>(Vector2<float>(static_cast<float>(u), static_cast<float>(v)));
-        x_(u, v) = ray.x();
-        y_(u, v) = ray.y();
-      }
+  CellWarp<Camera> warp;       ///< between the frames
+  float intensity_scale = 10;  ///< grey values: robust scale of the residuals of the last call
+
+  /// Standard deviation of the difference of two inverse depths, 1/m.
+  static float sigma(const Noise& noise, float q, const CellMotion& motion) {
+    const double pixel = noise.pixel_sigma(q),
+                 shared = motion.adjacent ? noise.shared_drift_sigma(q) : noise.shared_sigma(q);
+    const double range = static_cast<double>(q) * static_cast<double>(q) * motion.translation_sigma;
+    return static_cast<float>(std::sqrt(2 * pixel * pixel + shared * shared + range * range));
   }
+
+  /// @param camera of the cells' level.
+  void prepare(const Camera& camera) { warp.prepare(camera); }
 
   /// Adds the evidence of `reference` about `current`. Call it for the last frame first.
   /// @param standing the reference's inverse depth where no track explains the cell, 0 elsewhere.
@@ -126,27 +126,7 @@ class InconsistencyTest {
   }
 
  private:
-  struct Moved {
-    float u, v, q;
-  };
-
-  bool move(const Camera& camera, const SE3f& T, int x, int y, float q, Moved& m) const {
-    const Vector3<float> X = T.R * Vector3<float>(x_(x, y), y_(x, y), 1) + q * T.t;
-    if (!(X.z() > 1e-3f)) return false;
-    const Vector2<float> p = camera.template project<float>(X);
-    if (!(p.x() >= 1 && p.y() >= 1 && p.x() < static_cast<float>(camera.width() - 2) &&
-          p.y() < static_cast<float>(camera.height() - 2)))
-      return false;
-    m = {p.x(), p.y(), q / X.z()};
-    return true;
-  }
-
-  static float sigma(const Noise& noise, float q, const CellMotion& motion) {
-    const double pixel = noise.pixel_sigma(q),
-                 shared = motion.adjacent ? noise.shared_drift_sigma(q) : noise.shared_sigma(q);
-    const double range = static_cast<double>(q) * static_cast<double>(q) * motion.translation_sigma;
-    return static_cast<float>(std::sqrt(2 * pixel * pixel + shared * shared + range * range));
-  }
+  using Moved = typename CellWarp<Camera>::Moved;
 
   void entered(const Camera& camera, const Noise& noise, const CellFrame& current, const CellFrame& reference,
                const CellMotion& motion, Inconsistency& out) {
@@ -157,7 +137,7 @@ class InconsistencyTest {
       for (int x = 1; x + 1 < current.q.width(); ++x) {
         const float q = current.q(x, y);
         Moved m, shifted;
-        if (!(q > 0) || !move(camera, T, x, y, q, m)) continue;
+        if (!(q > 0) || !warp(camera, T, x, y, q, m)) continue;
         const int u = static_cast<int>(m.u + 0.5f), v = static_cast<int>(m.v + 0.5f);
         const float near = reference.nearest(u, v);
         if (!(near > 0)) continue;
@@ -168,12 +148,13 @@ class InconsistencyTest {
         const float gy = 0.5f * static_cast<float>(current.grey(x, y + 1) - current.grey(x, y - 1));
         const float dq = 1.4f * static_cast<float>(noise.pixel_sigma(q));
         float parallax = 0;
-        if (move(camera, T, x, y, q + dq, shifted)) parallax = gx * (shifted.u - m.u) + gy * (shifted.v - m.v);
+        if (warp(camera, T, x, y, q + dq, shifted)) parallax = gx * (shifted.u - m.u) + gy * (shifted.v - m.v);
         const float r = static_cast<float>(current.grey(x, y)) - gain * bilinear(reference.grey, m.u, m.v) - offset;
         residuals_.push_back(
             {x, y, r, parallax * parallax + kGradientNoise * kGradientNoise * (gx * gx + gy * gy), std::abs(d) < 2});
       }
-    const float scale = intensity_scale();
+    intensity_scale = scale_of_residuals();
+    const float scale = intensity_scale;
     for (const Residual& r : residuals_)
       out.photo(r.x, r.y) = std::max(out.photo(r.x, r.y), std::abs(r.value) / std::sqrt(scale * scale + r.variance));
   }
@@ -187,7 +168,7 @@ class InconsistencyTest {
       for (int x = 0; x < standing.width(); ++x) {
         const float q = standing(x, y);
         Moved m;
-        if (!(q > 0) || !move(camera, T, x, y, q, m)) continue;
+        if (!(q > 0) || !warp(camera, T, x, y, q, m)) continue;
         const int u0 = static_cast<int>(m.u), v0 = static_cast<int>(m.v);
         const float d = (m.q - current.nearest(static_cast<int>(m.u + 0.5f), static_cast<int>(m.v + 0.5f))) /
                         sigma(noise, m.q, motion);
@@ -206,7 +187,7 @@ class InconsistencyTest {
   }
 
   /// Robust scale of the residuals of cells whose depth agrees. Grey values, at least one.
-  float intensity_scale() {
+  float scale_of_residuals() {
     magnitudes_.clear();
     for (const Residual& r : residuals_)
       if (r.agrees) magnitudes_.push_back(std::abs(r.value));
@@ -220,7 +201,6 @@ class InconsistencyTest {
     float variance;  ///< without that of the intensity itself
     bool agrees;     ///< whether the depth agrees
   };
-  Image<float> x_, y_;  ///< rays of the cells
   std::vector<Residual> residuals_;
   std::vector<float> magnitudes_;
 };

@@ -21,11 +21,10 @@ class LateMasks {
 
   /// The stages that process masks. The masks change their states.
   struct Stages {
-    TracksT& tracks;                            ///< all objects
-    Observations& observations;                 ///< scratch for the masks
-    Labeller<Camera, Noise>& labeller;          ///< makes the labels again
-    const Discovery<Camera, Noise>& discovery;  ///< for its bounded depth noise
-    const Setup& setup;                         ///< policies and settings
+    TracksT& tracks;                    ///< all objects
+    Observations& observations;         ///< scratch for the masks
+    Labeller<Camera, Noise>& labeller;  ///< makes the labels again
+    const Setup& setup;                 ///< policies and settings
   };
 
   /// The frames that wait for their masks.

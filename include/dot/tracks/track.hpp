@@ -31,11 +31,11 @@ struct Track {
   Candidacy candidacy;     ///< used for discovered objects
 
   // State in the current frame.
-  const Observation* observed = nullptr;  ///< the observation assigned to it
-  bool segmented = false;                 ///< whether that is a network's
-  Place expected;        ///< predicted place of its middle; the followed place once its motion is known
-  bool followed = true;  ///< its motion is estimated, because it is among the largest
-  bool lost = false;     ///< to be dropped before the next frame
+  Observation* observed = nullptr;  ///< the observation assigned to it
+  bool segmented = false;           ///< whether that is a network's
+  Place expected;                   ///< predicted place of its middle; the followed place once its motion is known
+  bool followed = true;             ///< its motion is estimated, because it is among the largest
+  bool lost = false;                ///< to be dropped before the next frame
 
   /// Makes it a new object and reuses the memory of the old one.
   void restart(std::uint32_t id) {

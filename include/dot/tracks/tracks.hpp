@@ -27,6 +27,7 @@ class Tracks {
   struct Worker {
     ObjectWorkspace<Aligner> object;  ///< of motions
     OutlineWorkspace outline;         ///< of outlines
+    MovingPart moving_part;           ///< of a discovered object
   };
 
   /// The tracker of one object. @param noise may differ from the setup's. All arguments are borrowed.
@@ -58,8 +59,7 @@ class Tracks {
   /// nearest comes first, because it hides parts of the others. Objects that cannot touch one another are followed in
   /// parallel.
   /// @param observations those without a track may show one of `tracks`.
-  void follow(const List& tracks, const Interval& interval, const Observations& observations,
-              const Discovery<Camera, Noise>& discovery, const Setup& setup);
+  void follow(const List& tracks, const Interval& interval, const Observations& observations, const Setup& setup);
 
   /// Sets the masks of the current frame: the observation if there is one, otherwise the outline moved by T_c T_o. An
   /// observation that no track explains, now that the motions are known, becomes a new track.
@@ -73,7 +73,7 @@ class Tracks {
 
   /// Starts tracks for observations that have none, and chooses which tracks are followed.
   /// @return how many instances of a network were too small.
-  int start(Observations& observations, const Discovery<Camera, Noise>& discovery, const Setup& setup);
+  int start(Observations& observations, const Setup& setup);
 
   /// Continues hidden tracks with observations that have no track.
   void find_again(Observations& observations, const MaskSettings& settings) {
@@ -110,16 +110,17 @@ class Tracks {
   template <typename Condition>
   const List& that(Condition&& condition);
   void predict(Track& t, const Interval& interval, const Setup& setup, Worker& worker) const;
-  void follow(Track& t, const Interval& interval, const Observations& observations,
-              const Discovery<Camera, Noise>& discovery, const Setup& setup, Worker& worker) const;
+  void follow(Track& t, const Interval& interval, const Observations& observations, const Setup& setup,
+              Worker& worker) const;
   void choose_first_fit(Track& t, const Interval& interval, const Setup& setup, Worker& worker) const;
   static bool refuses(ObjectMotion& motion, const ObjectFit& first, const Interval& interval, const Setup& setup);
   void decide(Track& t, const FrameData& cur, const Matrix3<double>& R_cur_fit, double seconds, double dt,
-              const Discovery<Camera, Noise>& discovery, const Setup& setup) const;
+              const Setup& setup) const;
+  void examine(Track& t, double seconds, const Discovery<Camera, Noise>& discovery, const Setup& setup,
+               Worker& worker) const;
   void place(Track& t, const Interval& interval, const FramePtr& frame, bool segmented,
              const Discovery<Camera, Noise>& discovery, const Setup& setup, Worker& worker) const;
-  void align_backwards(Track& t, const Interval& interval, const Discovery<Camera, Noise>& discovery,
-                       const Setup& setup, Worker& worker) const;
+  void align_backwards(Track& t, const Interval& interval, const Setup& setup, Worker& worker) const;
   static bool may_touch(const Track& a, const Track& b);
   void choose_followed(int most);
   void drop_surplus(std::size_t most);

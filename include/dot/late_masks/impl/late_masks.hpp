@@ -35,7 +35,7 @@ void LateMasks<Camera, Classifier, Noise, Aligner>::apply(AwaitedFrames::const_i
   stages.tracks.assign(stages.observations, setup.mask);
   stages.tracks.find_again(stages.observations, setup.mask);
   const std::size_t known = stages.tracks.size();
-  stages.tracks.start(stages.observations, stages.discovery, setup);
+  stages.tracks.start(stages.observations, setup);
 
   for (Track* t : stages.tracks.all()) {
     t->outline.mask = t->newest_mask();
@@ -138,7 +138,7 @@ void LateMasks<Camera, Classifier, Noise, Aligner>::replay(const std::vector<Tra
     if (!first) {
       const Interval interval{nullptr, cur, f.camera};
       stages.tracks.predict(started, interval, setup);
-      stages.tracks.follow(started, interval, stages.observations, stages.discovery, setup);
+      stages.tracks.follow(started, interval, stages.observations, setup);
     }
     for (Track* t : started) {
       TrackedOutline& outline = t->outline;

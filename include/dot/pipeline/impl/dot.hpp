@@ -85,7 +85,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   ends(Stage::Masks);
 
   // T_o of each object, the nearest first, and its state.
-  tracks_.follow(tracks_.all(), interval, observations_, discovery_, setup());
+  tracks_.follow(tracks_.all(), interval, observations_, setup());
   ends(Stage::Objects);
 
   // Masks warped by T_c T_o; new objects; labels.
@@ -162,7 +162,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
                               std::to_string(options_.mask.late_frames) + " at most");
   reset_unless_done([&] {
     tracks_.prepare(aligner, threads);
-    late_masks_.apply(then, masks, current_->timestamp, {tracks_, observations_, labeller_, discovery_, setup()});
+    late_masks_.apply(then, masks, current_->timestamp, {tracks_, observations_, labeller_, setup()});
   });
 }
 

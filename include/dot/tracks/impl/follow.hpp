@@ -14,7 +14,7 @@ DOT_BEGIN_NAMESPACE
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::prepare(const Aligner& aligner, const Threads& threads) {
   while (workers_.size() < static_cast<std::size_t>(std::max(1, threads.count)))
-    workers_.push_back({{aligner, {}, {}, {}, {}, {}}, {}});
+    workers_.push_back({{aligner, {}, {}, {}, {}, {}}, {}, {}});
 }
 
 /// The tracks for which `condition` holds, by id; valid until the next call.
@@ -79,8 +79,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::assign(Observations& observatio
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::follow(const List& tracks, const Interval& interval,
-                                                        const Observations& observations,
-                                                        const Discovery<Camera, Noise>& discovery, const Setup& setup) {
+                                                        const Observations& observations, const Setup& setup) {
   order_.assign(tracks.begin(), tracks.end());
   std::sort(order_.begin(), order_.end(), [](const Track* l, const Track* r) {
     const double a = l->inverse_depth(), b = r->inverse_depth();
@@ -97,7 +96,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(const List& tracks, cons
     for (std::size_t i = 0; i < order_.size(); ++i)
       if (rounds_[i] == round) at_once_.push_back(order_[i]);
     setup.threads.run(static_cast<int>(at_once_.size()), [&](int worker, int i) {
-      follow(*at_once_[static_cast<std::size_t>(i)], interval, observations, discovery, setup,
+      follow(*at_once_[static_cast<std::size_t>(i)], interval, observations, setup,
              workers_[static_cast<std::size_t>(worker)]);
     });
     for (const Track* t : at_once_)
@@ -128,8 +127,7 @@ bool Tracks<Camera, Classifier, Noise, Aligner>::may_touch(const Track& a, const
 /// static objects are moved by T_c alone, so that they do not drift with the noise of the fits.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval& interval,
-                                                        const Observations& observations,
-                                                        const Discovery<Camera, Noise>& discovery, const Setup& setup,
+                                                        const Observations& observations, const Setup& setup,
                                                         Worker& worker) const {
   const CameraStep& camera = interval.camera;
   ObjectStep& step = t.motion.step;
@@ -146,7 +144,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval
                        std::as_const(nearer_).view(), worker.object);
     if (is_first && step.fit.ok() && step.fit.phi < kSurePhi) choose_first_fit(t, interval, setup, worker);
   }
-  decide(t, interval.cur, camera.T_cur_prev.R, camera.seconds, camera.seconds, discovery, setup);
+  decide(t, interval.cur, camera.T_cur_prev.R, camera.seconds, camera.seconds, setup);
 
   const SE3d T_o_outline = t.belief.state == State::Static ? SE3d{} : step.T_o_outline;
   t.motion.advance(camera, T_o_outline);
@@ -202,7 +200,6 @@ bool Tracks<Camera, Classifier, Noise, Aligner>::refuses(ObjectMotion& motion, c
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::decide(Track& t, const FrameData& cur,
                                                         const Matrix3<double>& R_cur_fit, double seconds, double dt,
-                                                        const Discovery<Camera, Noise>& discovery,
                                                         const Setup& setup) const {
   const ObjectStep& step = t.motion.step;
   const ObjectMotionEstimator& estimator = setup.estimator;
@@ -210,7 +207,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::decide(Track& t, const FrameDat
   if (t.identity.discovered) t.candidacy.confirm(step, t.belief, estimator.velocity, seconds);
   auto& memory = static_cast<ClassifiedTrack&>(t).memory;
   t.belief.take(setup.classifier(memory, step.has_evidence ? &step.evidence : nullptr, R_cur_fit, dt));
-  if (t.identity.discovered) t.candidacy.decide(t.belief.state, discovery.support(t.newest_mask()), seconds);
+  if (t.identity.discovered) t.candidacy.decide(t.belief.state);
 }
 
 DOT_END_NAMESPACE

@@ -16,7 +16,7 @@ int Tracks<Camera, Classifier, Noise, Aligner>::place(const Interval& interval, 
                                                       const Discovery<Camera, Noise>& discovery, const Setup& setup) {
   assignment_.by_overlap(that([](const Track& t) { return !t.observed; }), observations, setup.mask);
   find_again(observations, setup.mask);
-  const int too_small = start(observations, discovery, setup);
+  const int too_small = start(observations, setup);
   setup.threads.run(static_cast<int>(tracks_.size()), [&](int worker, int i) {
     place(tracks_[static_cast<std::size_t>(i)], interval, frame, segmented, discovery, setup,
           workers_[static_cast<std::size_t>(worker)]);
@@ -31,8 +31,9 @@ void Tracks<Camera, Classifier, Noise, Aligner>::place(Track& t, const Interval&
   const FrameData& cur = interval.cur;
   TrackedOutline& outline = t.outline;
   Reason& reason = t.motion.step.fit.reason;
+  if (t.identity.discovered) examine(t, interval.camera.seconds, discovery, setup, worker);
   if (t.observed) {
-    if (t.segmented && t.followed && !t.motion.step.fit.ok()) align_backwards(t, interval, discovery, setup, worker);
+    if (t.segmented && t.followed && !t.motion.step.fit.ok()) align_backwards(t, interval, setup, worker);
     outline.mask = t.observed->mask;
     outline.take(t.observed->mask, outline.T_now_shape, frame, 1 / setup.selection.max_depth, setup.camera, setup.mask,
                  worker.outline);
@@ -57,11 +58,26 @@ void Tracks<Camera, Classifier, Noise, Aligner>::place(Track& t, const Interval&
   }
 }
 
+/// Compares a discovered object's motion with standing. Decides whether it is shown, and takes out of its mask what
+/// stands.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::examine(Track& t, double seconds,
+                                                         const Discovery<Camera, Noise>& discovery, const Setup& setup,
+                                                         Worker& worker) const {
+  Mask& mask = t.observed ? t.observed->mask : t.outline.warped.mask;
+  if (!t.motion.references.empty() && !mask.empty()) {
+    MovingPart& part = worker.moving_part;
+    discovery.compare(setup.camera, discovery.bounded(setup.noise), mask, t.motion.references, part);
+    t.candidacy.examine(part.is_comparable() ? part.certainty() : discovery.certainty(mask), seconds);
+    if (t.observed && t.motion.step.fit.ok() && part.is_mixed()) part.cut(mask);
+  }
+  t.candidacy.decide(t.belief.state);
+}
+
 /// Finds the step of an object that no earlier mask explains.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Tracks<Camera, Classifier, Noise, Aligner>::align_backwards(Track& t, const Interval& interval,
-                                                                 const Discovery<Camera, Noise>& discovery,
-                                                                 const Setup& setup, Worker& worker) const {
+void Tracks<Camera, Classifier, Noise, Aligner>::align_backwards(Track& t, const Interval& interval, const Setup& setup,
+                                                                 Worker& worker) const {
   if (t.motion.doubted_at == interval.cur.timestamp) return;  // it was tried
   const auto fit =
       tracker(setup, setup.noise).align_backwards(t.motion, t.belief, *t.observed, interval, worker.object);
@@ -74,12 +90,11 @@ void Tracks<Camera, Classifier, Noise, Aligner>::align_backwards(Track& t, const
   // The belief was already predicted to this frame, so the evidence is given in this frame's axes.
   step.evidence = fit->motion.rotated(T_c.R);
   step.has_evidence = fit->phi >= setup.estimator.settings.min_phi;
-  decide(t, interval.cur, Matrix3<double>::Identity(), interval.camera.seconds, 0, discovery, setup);
+  decide(t, interval.cur, Matrix3<double>::Identity(), interval.camera.seconds, 0, setup);
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-int Tracks<Camera, Classifier, Noise, Aligner>::start(Observations& observations,
-                                                      const Discovery<Camera, Noise>& discovery, const Setup& setup) {
+int Tracks<Camera, Classifier, Noise, Aligner>::start(Observations& observations, const Setup& setup) {
   int too_small = 0;
   for (Observation& o : observations.list) {
     if (o.assigned) continue;
@@ -91,7 +106,6 @@ int Tracks<Camera, Classifier, Noise, Aligner>::start(Observations& observations
     t.restart(next_id_++);
     t.memory = {};
     t.start(o);
-    if (o.discovered) t.candidacy.support = discovery.support(o.mask);
   }
   choose_followed(setup.estimator.settings.max_fitted);
   // At most twice as many tracks as instances are kept. The tracks that were not seen for longest are dropped.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "video_reader.hpp"
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -51,8 +52,18 @@ class VideoReader : public runner::VideoInput {
     next_ = 0;
     if (!capture_.open(path_.string(), video_backend()))
       throw runner::FileError(path_.string() + ": not a readable video");
-    // Some backends then give 16-bit frames, as of a depth camera, which they otherwise turn into 8-bit colours.
-    capture_.set(cv::CAP_PROP_CONVERT_RGB, 0);
+    capture_.set(cv::CAP_PROP_CONVERT_RGB, is_16_bit() ? 0 : 1);
+  }
+
+  /// Whether its frames have 16 bits, as those of a depth camera. OpenCV turns these into 8-bit colours, unless it is
+  /// told not to convert. Then, however, it may give the planes of a colour video as they are stored.
+  bool is_16_bit() {
+    if (is_16_bit_) return *is_16_bit_;
+    cv::VideoCapture raw(path_.string(), video_backend());
+    raw.set(cv::CAP_PROP_CONVERT_RGB, 0);
+    cv::Mat image;
+    is_16_bit_ = raw.read(image) && image.depth() == CV_16U;
+    return *is_16_bit_;
   }
 
   double step() const {
@@ -68,6 +79,7 @@ class VideoReader : public runner::VideoInput {
   cv::VideoCapture capture_;
   std::vector<double> times_;
   int next_ = 0;
+  std::optional<bool> is_16_bit_;
 };
 
 }  // namespace

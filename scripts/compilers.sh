@@ -109,11 +109,11 @@ try_compiler() {
 }
 
 host_standards() {
-  local build="$1/hosts${3:+-libc++}"
-  cmake -S "$root/tests/consumers/header_tier" -B "$build" -G Ninja -DCMAKE_CXX_COMPILER="$2" -DCMAKE_CXX_FLAGS="$3" \
+  local hosts_build="$1/hosts${3:+-libc++}" # "build" is dev.sh's, and cannot be changed
+  cmake -S "$root/tests/consumers/header_tier" -B "$hosts_build" -G Ninja -DCMAKE_CXX_COMPILER="$2" -DCMAKE_CXX_FLAGS="$3" \
     -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DSTANDARDS=17,20,23 -DDOT_TESTS="$root/tests" \
     -Ddot_ROOT="$1/prefix" || return
-  cmake --build "$build" --parallel "$jobs" --target check
+  cmake --build "$hosts_build" --parallel "$jobs" --target check
 }
 # standards_run LOG: those whose host was run.
 standards_run() { sed -n 's/^\(C++[0-9]*\) (.*: the parked car is static, the other moving$/\1/p' "$1" | sort -u | paste -sd ' '; }

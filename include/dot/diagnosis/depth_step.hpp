@@ -156,7 +156,7 @@ class DepthStep {
     for (std::size_t side = 0; side < 2; ++side) {
       Sum& sum = sums_[index(lag, kMaxLag)][side];
       for (const Edge& end : depth.ends[side]) {
-        const std::uint8_t* row = image.rows.data() + static_cast<std::size_t>(end.row) * width_ + end.x;
+        const std::uint8_t* row = image.rows.data() + static_cast<std::size_t>(end.row * width_ + end.x);
         int strengths[2 * kSurroundings + 1], total = 0;
         for (int i = -kSurroundings; i <= kSurroundings; ++i)
           total += strengths[i + kSurroundings] = std::abs(row[i + 1] - row[i - 1]);

@@ -103,7 +103,7 @@ inline void validate(const FieldName& field, const std::array<double, 12>& T) {
       T[0] * (T[5] * T[10] - T[6] * T[9]) - T[1] * (T[4] * T[10] - T[6] * T[8]) + T[2] * (T[4] * T[9] - T[5] * T[8]);
   if (det < 0) bad_field(field, "is a mirror image, not a rotation");
   constexpr double farthest = 1e4;
-  for (const std::size_t i : {3, 7, 11})
+  for (const std::size_t i : {std::size_t{3}, std::size_t{7}, std::size_t{11}})
     if (std::abs(T[i]) > farthest)
       bad_field(field, "moves by more than " + to_text(farthest) + " m between two frames");
 }

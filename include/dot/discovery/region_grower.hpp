@@ -66,8 +66,9 @@ class RegionGrower {
                [&](std::size_t k) { return state_[k] == kSeedCell ? (state_[k] = kOpen, true) : false; });
         if (static_cast<int>(cluster.size()) >= kMinSeeds) clusters_.push_back(std::move(cluster));
       }
-    std::stable_sort(clusters_.begin(), clusters_.end(),
-                     [](const auto& l, const auto& r) { return l.size() > r.size(); });
+    std::sort(clusters_.begin(), clusters_.end(), [](const auto& l, const auto& r) {
+      return l.size() != r.size() ? l.size() > r.size() : l.front() < r.front();
+    });
     regions.clear();
     for (std::vector<int>& cluster : clusters_) grow(cluster, evidence, followed);
     merge(followed);
@@ -109,7 +110,7 @@ class RegionGrower {
     for (const int i : cells) state_[static_cast<std::size_t>(i)] = kTaken;
     // Growth starts only at cells that are inconsistent now.
     const auto grown =
-        std::stable_partition(cells.begin(), cells.end(), [&](int i) { return !(evidence.depth.row(0)[i] > kSeed); });
+        std::partition(cells.begin(), cells.end(), [&](int i) { return !(evidence.depth.row(0)[i] > kSeed); });
     const std::size_t first = static_cast<std::size_t>(grown - cells.begin());
     const double seeds = static_cast<double>(cells.size() - first);
     spread(cells, first, 1 + static_cast<int>(0.5 * std::sqrt(seeds)),

@@ -13,7 +13,8 @@ DOT_BEGIN_NAMESPACE
 /// How much better its own motion explains the cells of an object than standing does. Each explanation has a cost in
 /// squared sigma, see CellComparison.
 struct CellEvidence {
-  int x = 0, y = 0;              ///< cell of the image in the first row and column
+  int x = 0;                     ///< column of the image that the first column is
+  int y = 0;                     ///< row of the image that the first row is
   Image<float> total;            ///< cost of standing minus cost of moving, summed over the references
   Image<float> intensity;        ///< the part of `total` that is due to the intensity
   Image<float> references;       ///< number of references that could be compared

@@ -14,8 +14,9 @@ class CellWarp {
  public:
   /// Where a cell is seen.
   struct Moved {
-    float u, v;  ///< cells
-    float q;     ///< inverse depth, 1/m
+    float u;  ///< column, cells
+    float v;  ///< row, cells
+    float q;  ///< inverse depth, 1/m
   };
 
   /// @param camera of the cells' level.

@@ -21,6 +21,7 @@ void HiddenScore::add(const HiddenScore& other) {
   found += other.found;
   standing += other.standing;
   false_alarm += other.false_alarm;
+  moving += other.moving;
 }
 
 HiddenMovers::HiddenMovers(const runner::Recording& recording, const ObjectScoring& scoring) : scoring_(scoring) {
@@ -28,9 +29,11 @@ HiddenMovers::HiddenMovers(const runner::Recording& recording, const ObjectScori
   for (const runner::RecordingEntry& entry : recording.entries)
     for (const auto& [id, object] : entry.truth.objects)
       if (object.moving) movers.insert(id);
+  const bool has_masks = std::any_of(recording.entries.begin(), recording.entries.end(),
+                                     [](const auto& entry) { return !entry.masks.empty() || entry.coco; });
   bool hide = false;
   for (const int id : movers) {
-    if (hide) hidden_.insert(id), seen_[id] = 0;
+    if (hide || !has_masks) hidden_.insert(id), seen_[id] = 0;
     hide = !hide;
   }
   score_.movers = static_cast<int>(seen_.size());
@@ -77,6 +80,7 @@ void HiddenMovers::add(const runner::RecordingEntry& entry, const cv::Mat& insta
   }
   const bool frame_counts = entry.number >= scoring_.from;
   for (const auto& [id, count] : counts) {
+    if (frame_counts) score_.moving += count.called_moving;
     const auto object = entry.truth.objects.find(id);
     if (object == entry.truth.objects.end() || !object->second.moving) {
       if (!frame_counts) continue;

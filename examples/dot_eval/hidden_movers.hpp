@@ -19,9 +19,11 @@ struct HiddenScore {
   long found = 0;        ///< of these labelled moving
   long standing = 0;     ///< pixels that do not move
   long false_alarm = 0;  ///< of these labelled moving
+  long moving = 0;       ///< all pixels labelled moving
 
   double found_share() const { return ratio(static_cast<double>(found), static_cast<double>(pixels)); }
   double false_share() const { return ratio(static_cast<double>(false_alarm), static_cast<double>(standing)); }
+  double outside_share() const { return ratio(static_cast<double>(false_alarm), static_cast<double>(moving)); }
   void add(const HiddenScore& other);
 };
 
@@ -29,7 +31,7 @@ struct HiddenScore {
 void remove_movers(const std::set<int>& movers, const cv::Mat& instance, runner::SequenceFrame& frame);
 
 /// Takes every second true mover (by id: the 2nd, 4th, ...) out of the masks that the tracker gets, and measures how
-/// much of it is labelled moving all the same.
+/// much of it is labelled moving all the same. In a recording without masks all movers count as taken out.
 class HiddenMovers {
  public:
   HiddenMovers(const runner::Recording& recording, const ObjectScoring& scoring);

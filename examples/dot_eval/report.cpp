@@ -122,7 +122,8 @@ Json hidden(const HiddenScore& h) {
                        {"pixels", h.pixels},
                        {"found_share", h.found_share()},
                        {"standing_pixels", h.standing},
-                       {"false_share", h.false_share()}});
+                       {"false_share", h.false_share()},
+                       {"outside_share", h.outside_share()}});
 }
 
 Json frame_times(const FrameTime& t) {

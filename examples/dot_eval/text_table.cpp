@@ -101,6 +101,7 @@ std::string pooled_table(const std::vector<Pooled>& pooled) {
   if (std::any_of(pooled.begin(), pooled.end(), [](auto& p) { return p.hidden.standing > 0; })) {
     add("hidden movers: share of their pixels found", "%.3f", [](auto& p) { return p.hidden.found_share(); });
     add("  pixels that do not move called moving", "%.4f", [](auto& p) { return p.hidden.false_share(); });
+    add("  pixels called moving that do not move", "%.3f", [](auto& p) { return p.hidden.outside_share(); });
   }
   for (std::size_t i = 0; i < stage_count; ++i)
     add((i == 0 ? "ms a frame: " : "  ") + std::string(dot::to_string(static_cast<dot::Stage>(i))), "%.2f",

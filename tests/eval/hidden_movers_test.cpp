@@ -18,6 +18,7 @@ const cv::Rect second(60, 0, 40, 30);
 runner::Recording recording() {
   runner::Recording recording;
   recording.entries.resize(1);
+  recording.entries[0].masks = "masks/000000.png";
   recording.entries[0].truth.objects = {{3, {true, 5}}, {4, {false, 0}}, {5, {true, 5}}};
   return recording;
 }
@@ -76,6 +77,7 @@ TEST(HiddenMovers, CountFromTheSixthFrame) {
   EXPECT_DOUBLE_EQ(hidden.score().found_share(), 800.0 / 1200);
   EXPECT_EQ(hidden.score().standing, 7L * (frame_size.area() - 2 * 1200));
   EXPECT_EQ(hidden.score().false_alarm, 7 * 100);
+  EXPECT_DOUBLE_EQ(hidden.score().outside_share(), 100.0 / 900);
 }
 
 TEST(HiddenMovers, FramesThatAreLeftOutDoNotCount) {
@@ -91,6 +93,15 @@ TEST(HiddenMovers, FramesThatAreLeftOutDoNotCount) {
   hidden.add(entry, instances(), answer.result());
   EXPECT_EQ(hidden.score().pixels, 1200) << "the sixth frame in which it was seen has passed";
   EXPECT_EQ(hidden.score().false_alarm, 100);
+}
+
+TEST(HiddenMovers, WithoutMasksAllMoversAreHidden) {
+  runner::Recording without = recording();
+  without.entries[0].masks.clear();
+  HiddenMovers hidden(without, {});
+  EXPECT_EQ(hidden.score().movers, 2);
+  for (int i = 0; i < 6; ++i) hidden.add(without.entries[0], instances(), HandMadeResult(frame_size).result());
+  EXPECT_EQ(hidden.score().pixels, 2 * 1200);
 }
 
 TEST(HiddenMovers, SlowFramesDoNotCount) {

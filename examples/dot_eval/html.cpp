@@ -338,7 +338,7 @@ std::string intro(const std::vector<RunScore>& runs, const std::vector<Pooled>& 
     if (run.every == pooled.front().every) frames += run.frames;
   std::string remark;
   if (pooled.front().hidden.standing > 0)
-    remark = " Every second mover is hidden: the masks that the tracker gets do not show it.";
+    remark = " Every second mover is hidden, and all where there are no masks: the tracker gets no mask of it.";
   std::string rates;
   for (const Pooled& p : pooled) rates += (rates.empty() ? "" : ", ") + rate_name(p.every);
   const std::size_t sequences = measured_names(runs).size();

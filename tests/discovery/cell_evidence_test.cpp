@@ -65,8 +65,7 @@ struct Case {
     evidence.restart(mask, 4);
     const SE3d T = SE3d::translation(Vector3<double>(hypothesis / 100 / static_cast<double>(box), 0, 0));
     const CellComparison<Pinhole, DepthNoise> comparison{camera, noise, test, now, before, motion};
-    comparison(
-        T, [](int, int) { return true; }, evidence);
+    comparison(T, evidence);
   }
   /// Mean over the cells of a box that are compared.
   double mean(const Image<float>& sum, int x0, int x1) const {
@@ -138,8 +137,7 @@ TEST(CellEvidence, NothingIsReadOutsideOfTheImage) {
   const CellFrame frame = scene(first);
   c.evidence.restart(mask, 4);
   const CellComparison<Pinhole, DepthNoise> comparison{c.camera, c.noise, c.test, frame, frame, c.motion};
-  comparison(
-      SE3d::translation(Vector3<double>(0.5, 0, 0)), [](int, int) { return true; }, c.evidence);
+  comparison(SE3d::translation(Vector3<double>(0.5, 0, 0)), c.evidence);
   EXPECT_EQ(c.evidence.measured(0, 0), 0);
   EXPECT_EQ(c.evidence.measured(c.evidence.total.width() - 1, c.evidence.total.height() - 1), 0);
 }

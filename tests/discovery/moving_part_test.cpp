@@ -32,7 +32,7 @@ struct Case {
       }
   }
   void find(bool contradicts = false) {
-    part.find(mask, cell, [=](int, int) { return contradicts; });
+    part.find([=](int, int) { return contradicts; });
   }
   bool keeps(int x, int y) const { return mask.at(mask_x + x * cell + 1, mask_y + y * cell + 1); }
   int mask_x = 8, mask_y = 12;
@@ -47,6 +47,21 @@ TEST(MovingPart, IsCertainByTheIntensity) {
   c.part.evidence.intensity.fill(0);
   c.find();
   EXPECT_EQ(c.part.certainty(), 0) << "depth alone";
+}
+
+// A small region has too few cells for the evidence that a large one must have.
+TEST(MovingPart, IsCertainOfASmallObject) {
+  Case c;
+  dot::fill_mask(
+      {8, 12, 3 * cell, 4 * cell}, [](int, int) { return true; }, c.mask);
+  c.part.evidence.restart(c.mask, cell);
+  c.part.evidence.references.fill(2);
+  c.set(0, 0, 3, 4, 8);  // 12 cells, 4 by intensity
+  c.find();
+  EXPECT_EQ(c.part.certainty(), 1);
+  c.set(0, 0, 3, 4, 3);
+  c.find();
+  EXPECT_LT(c.part.certainty(), 0.5) << "1.5 by intensity";
 }
 
 TEST(MovingPart, SmallPartsDoNotAddUp) {

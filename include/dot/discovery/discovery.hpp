@@ -103,20 +103,17 @@ class Discovery {
   /// their motion to the current frame. @param out what of the mask moves.
   void compare(const Camera& camera, const Noise& noise, const Mask& mask,
                const RecyclingList<ObjectReference>& references, MovingPart& out) const {
-    const int cell = 1 << level_, half = cell / 2;
     const Camera cells = camera.at_level(level_);
-    out.evidence.restart(mask, cell);
+    out.evidence.restart(mask, 1 << level_);
     int compared = 0;
     for (std::size_t i = references.size(); i-- > 0 && compared < kMostCompared;)
       for (const Reference& r : history_) {
         if (r.timestamp != references[i].timestamp) continue;
-        const CellComparison<Camera, Noise> compare{cells, noise, test_, current_, r.frame, r.motion};
-        compare(
-            references[i].T_obj_now_ref, [&](int x, int y) { return mask.at(x * cell + half, y * cell + half); },
-            out.evidence);
+        const CellComparison<Camera, Noise> comparison{cells, noise, test_, current_, r.frame, r.motion};
+        comparison(references[i].T_obj_now_ref, out.evidence);
         ++compared;
       }
-    out.find(mask, cell, [&](int x, int y) {
+    out.find([&](int x, int y) {
       const Image<float>& depth = inconsistency_.depth;
       return depth.contains(x, y) && RegionGrower::contradicts(inconsistency_, y * depth.width() + x);
     });
@@ -173,14 +170,14 @@ class Discovery {
   /// Compares with the newest reference, one in the middle, and the oldest.
   void compare(const Camera& cells, const Noise& noise, double timestamp) {
     test_.prepare(cells);
+    for (Reference& r : history_) r.motion.adjacent = false, r.motion.seconds = timestamp - r.timestamp;
+    history_[0].motion.adjacent = true;
     const std::size_t n = history_.size();
     std::size_t last = n;
     for (const std::size_t k : {std::size_t{0}, n / 2, n - 1}) {
       if (k == last) continue;
       last = k;
       Reference& r = history_[k];
-      r.motion.adjacent = k == 0;
-      r.motion.seconds = timestamp - r.timestamp;
       test_(cells, noise, current_, r.frame, r.standing, r.motion, inconsistency_);
       test_.add_discovered(cells, noise, current_, r.discovered, followed_, r.motion, inconsistency_);
     }

@@ -21,6 +21,12 @@ struct CellFrame {
   Image<float> nearest;      ///< largest inverse depth of the 3x3 cells around each, 0 = none
   Image<float> farthest;     ///< smallest inverse depth of these, 0 = none
 
+  /// Derivatives of the grey value by column and row. @pre (x, y) is not at the border.
+  Vector2<float> gradient(int x, int y) const {
+    return {0.5f * static_cast<float>(grey(x + 1, y) - grey(x - 1, y)),
+            0.5f * static_cast<float>(grey(x, y + 1) - grey(x, y - 1))};
+  }
+
   /// Takes a level of the image and of the inverse depth, of the same size.
   void build(const Image<std::uint8_t>& grey_level, const Image<float>& depth_level) {
     grey = grey_level;
@@ -144,14 +150,14 @@ class InconsistencyTest {
         const float s = sigma(noise, m.q, motion), d = (m.q - near) / s;
         out.depth(x, y) = std::max(out.depth(x, y), d);
         if (m.q < reference.farthest(u, v) - 2 * s) continue;  // hidden in the reference
-        const float gx = 0.5f * static_cast<float>(current.grey(x + 1, y) - current.grey(x - 1, y));
-        const float gy = 0.5f * static_cast<float>(current.grey(x, y + 1) - current.grey(x, y - 1));
+        const Vector2<float> gradient = current.gradient(x, y);
         const float dq = 1.4f * static_cast<float>(noise.pixel_sigma(q));
         float parallax = 0;
-        if (warp(camera, T, x, y, q + dq, shifted)) parallax = gx * (shifted.u - m.u) + gy * (shifted.v - m.v);
+        if (warp(camera, T, x, y, q + dq, shifted))
+          parallax = gradient.dot(Vector2<float>(shifted.u - m.u, shifted.v - m.v));
         const float r = static_cast<float>(current.grey(x, y)) - gain * bilinear(reference.grey, m.u, m.v) - offset;
         residuals_.push_back(
-            {x, y, r, parallax * parallax + kGradientNoise * kGradientNoise * (gx * gx + gy * gy), std::abs(d) < 2});
+            {x, y, r, parallax * parallax + kGradientNoise * kGradientNoise * gradient.squaredNorm(), std::abs(d) < 2});
       }
     intensity_scale = scale_of_residuals();
     const float scale = intensity_scale;

@@ -27,26 +27,28 @@ class MovingPart {
 
   CellEvidence evidence;  ///< filled by Discovery::compare
 
-  /// Judges the evidence. @param mask that of the evidence. @param cell its pixels.
-  /// @param contradicts (x, y) -> bool: whether a cell of the image contradicts a static scene.
+  /// Judges the evidence. @param contradicts (x, y) -> bool: whether a cell of the image contradicts a static scene.
   template <typename Contradicts>
-  void find(const Mask& mask, int cell, Contradicts&& contradicts) {
-    cell_ = cell;
-    count(mask);
+  void find(Contradicts&& contradicts) {
+    count();
     smooth(contradicts);
-    find_parts(mask);
+    find_parts();
   }
 
   /// Whether enough of it could be compared. It could not if its motion is too small in the image.
   bool is_comparable() const { return compared_ >= kComparable * cells_; }
   /// How sure the images make it that a part of it moves, 0 to 1. Depth alone is no evidence, because it may flicker.
-  double certainty() const { return std::clamp(most_ / kSurely, 0.f, 1.f); }
+  /// A small object has few cells; these are enough if each counts for itself.
+  double certainty() const {
+    const float enough = std::min(kSurely, kMuch * static_cast<float>(cells_));
+    return enough > 0 ? std::clamp(most_ / enough, 0.f, 1.f) : 0;
+  }
   /// Whether a part of it stands.
   bool is_mixed() const {
     return is_comparable() && standing_ >= kMinCells && standing_ >= kMixed * (moving_ + standing_);
   }
 
-  /// Keeps what moves of the mask that was judged, and what lies between: the middle of a uniform side looks the same
+  /// Keeps what moves of the mask of the evidence, and what lies between: the middle of a uniform side looks the same
   /// when it moves along itself. Keeps all if nothing would be left.
   void cut(Mask& mask) {
     const int width = smoothed_.width(), height = smoothed_.height();
@@ -62,7 +64,7 @@ class MovingPart {
     fill_mask(
         {mask.x, mask.y, mask.width(), mask.height()},
         [&](int u, int v) {
-          const int x = u / cell_ - evidence.x, y = v / cell_ - evidence.y;
+          const int x = u / evidence.cell - evidence.x, y = v / evidence.cell - evidence.y;
           return mask.at(u, v) && row(y).contains(x) && column(x).contains(y) && smoothed_(x, y) > -kLittle;
         },
         kept_);
@@ -79,17 +81,14 @@ class MovingPart {
   Range& row(int y) { return rows_[static_cast<std::size_t>(y)]; }
   Range& column(int x) { return columns_[static_cast<std::size_t>(x)]; }
 
-  bool belongs(const Mask& mask, int x, int y) const {
-    return mask.at((evidence.x + x) * cell_ + cell_ / 2, (evidence.y + y) * cell_ + cell_ / 2);
-  }
   bool is_compared(int x, int y) const { return evidence.references(x, y) > 0; }
   float mean_evidence(int x, int y) const { return evidence.total(x, y) / evidence.references(x, y); }
 
-  void count(const Mask& mask) {
+  void count() {
     cells_ = compared_ = moving_ = standing_ = 0;
     for (int y = 0; y < evidence.total.height(); ++y)
       for (int x = 0; x < evidence.total.width(); ++x) {
-        cells_ += belongs(mask, x, y);
+        cells_ += evidence.belongs(x, y);
         if (!is_compared(x, y)) continue;
         ++compared_;
         moving_ += mean_evidence(x, y) > kMuch;
@@ -118,14 +117,15 @@ class MovingPart {
   }
 
   /// Numbers the connected parts that move, and adds up the evidence by intensity of each.
-  void find_parts(const Mask& mask) {
+  void find_parts() {
     const int width = smoothed_.width(), height = smoothed_.height();
     part_.resize(width, height);
     part_.fill(kNone);
     intensities_.clear();
     most_ = 0;
     const auto reach = [&](int x, int y, int p) {
-      if (!part_.contains(x, y) || part_(x, y) != kNone || !(smoothed_(x, y) > kLittle) || !belongs(mask, x, y)) return;
+      if (!part_.contains(x, y) || part_(x, y) != kNone) return;
+      if (!evidence.belongs(x, y) || !(smoothed_(x, y) > kLittle)) return;
       part_(x, y) = p;
       front_.push_back({x, y});
     };
@@ -146,7 +146,6 @@ class MovingPart {
       }
   }
 
-  int cell_ = 1;
   int cells_ = 0, compared_ = 0, moving_ = 0, standing_ = 0;  ///< numbers of cells
   float most_ = 0;                                            ///< largest of `intensities_`
   Image<float> smoothed_;                                     ///< evidence about each cell, squared sigma

@@ -65,7 +65,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::examine(Track& t, double second
                                                          const Discovery<Camera, Noise>& discovery, const Setup& setup,
                                                          Worker& worker) const {
   Mask& mask = t.observed ? t.observed->mask : t.outline.warped.mask;
-  if (!t.motion.references.empty() && !mask.empty()) {
+  if (!t.is_rejected_candidate() && !t.motion.references.empty() && !mask.empty()) {
     MovingPart& part = worker.moving_part;
     discovery.compare(setup.camera, discovery.bounded(setup.noise), mask, t.motion.references, part);
     t.candidacy.examine(part.is_comparable() ? part.certainty() : discovery.certainty(mask), seconds);

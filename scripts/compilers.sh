@@ -50,6 +50,9 @@ compilers_in() {
     cp -a --reflink=auto "$chroots/$suite/base" "$place.partial"
     mkdir "$place.partial/dot"
     git init -q "$place.partial/dot"
+    # debootstrap knows the packages of the release alone; Ubuntu corrects its compilers in the updates.
+    in_chroot "$suite" compilers.partial env DEBIAN_FRONTEND=noninteractive sh -c 'apt-get update && apt-get -y dist-upgrade' \
+      >"$chroots/$suite/upgrade.log" 2>&1 || fail "$suite cannot be upgraded; see $chroots/$suite/upgrade.log"
     mv "$place.partial" "$place"
   fi
   git_as_root -C "$place/dot" fetch -q --depth 1 "file://$root" HEAD
@@ -68,15 +71,15 @@ installable() { [[ $(apt-cache policy "$1" 2>/dev/null) == *'Candidate: '[0-9]* 
 
 # try_compiler COMPILER FOLDER: prints the row of the table; all else goes to FOLDER.log.
 try_compiler() {
-  local compiler=$1 folder=$2 c test targets=() tests warnings hosts
+  local compiler=$1 folder=$2 c name test targets=() tests warnings hosts
   exec 3>&1 >"$2.log" 2>&1
   case $compiler in
     g++-*)
-      c=gcc-${compiler#g++-}
+      c=gcc-${compiler#g++-} name=GCC
       need "$compiler" "$c"
       ;;
     clang++-*)
-      c=clang-${compiler#clang++-}
+      c=clang-${compiler#clang++-} name=clang
       need "$c"
       ;;
     *) fail "$compiler: g++-N or clang++-N, please" ;;
@@ -103,10 +106,14 @@ try_compiler() {
   warnings=$(cat "$folder".log "$folder".libc++.log 2>/dev/null | grep -c 'warning:' || true)
   (
     . /etc/os-release
-    echo "| $PRETTY_NAME | $("$compiler" --version | head -n 1 | sed 's/^[A-Za-z]* //') | $(package_version libeigen3-dev) |" \
+    echo "| ${NAME% GNU/Linux} $VERSION_ID | $name $(compiler_version "$compiler") | $(package_version libeigen3-dev) |" \
       "$(package_version libopencv-dev) | $tests | $hosts | $warnings |"
   ) >&3
 }
+
+# compiler_version COMPILER: the first of the words that are numbers with dots, e.g. of
+# "g++-10 (Ubuntu 10.5.0-1ubuntu1~22.04) 10.5.0" and of "Ubuntu clang version 14.0.0-1ubuntu1.1".
+compiler_version() { "$1" --version | head -n 1 | grep -oE '\b[0-9]+(\.[0-9]+)+' | head -n 1; }
 
 host_standards() {
   local hosts_build="$1/hosts${3:+-libc++}" # "build" is dev.sh's, and cannot be changed

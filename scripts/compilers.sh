@@ -87,6 +87,13 @@ try_compiler() {
   for test in tests/capi/*.c; do targets+=("test_$(basename "$test" .c)"); done
   for test in lie statistics containers camera kernel image; do targets+=("test_$test"); done
 
+  # Debian 13 compiled its packages with GCC 14. They want the standard library of that one; GCC 13 links with its own.
+  # Programs run with that of the system in any case.
+  if ! links_packages "$compiler"; then
+    ln -sf "$(g++ -print-file-name=libstdc++.so)" "$folder/libstdc++.so"
+    links_packages "$compiler" -L"$folder" || return
+    export LDFLAGS=-L$folder
+  fi
   cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER="$c" -DCMAKE_CXX_COMPILER="$compiler" \
     -DDOT_BUILD_BENCH=OFF -DDOT_BUILD_EXAMPLES=OFF || return
   cmake --build "$folder" --parallel "$jobs" --target dot_core dot_capi dot_capi_static test_identity test_core_layout \
@@ -111,6 +118,11 @@ try_compiler() {
   ) >&3
 }
 
+# links_packages COMPILER [OPTION...]: whether programs link with the libraries of the packages.
+links_packages() {
+  "$1" -std=c++17 "${@:2}" -x c++ -o /dev/null - -Wl,--no-as-needed -lopencv_core -lgtest -pthread <<<'#include <gtest/gtest.h>
+    int main(int count, char** arguments) { testing::InitGoogleTest(&count, arguments); return RUN_ALL_TESTS(); }'
+}
 # compiler_version COMPILER: the first of the words that are numbers with dots, e.g. of
 # "g++-10 (Ubuntu 10.5.0-1ubuntu1~22.04) 10.5.0" and of "Ubuntu clang version 14.0.0-1ubuntu1.1".
 compiler_version() { "$1" --version | head -n 1 | grep -oE '\b[0-9]+(\.[0-9]+)+' | head -n 1; }

@@ -24,13 +24,13 @@ struct Candidates {
   float objectness(int candidate) const { return first_class == 5 ? at(candidate, 4) : 1; }
 };
 
-const Tensor& of_rank(const std::vector<Tensor>& outputs, std::size_t rank, const std::string& what) {
+const Tensor& of_rank(const std::vector<Tensor>& outputs, std::size_t rank, const char* what) {
   for (const Tensor& output : outputs)
     if (output.shape.size() == rank) return output;
   std::string shapes;
   for (const Tensor& output : outputs)
     shapes += (shapes.empty() ? "'" : ", '") + output.name + "' " + to_text(output.shape);
-  throw NetworkError("has no output of shape " + what + ", only " + shapes);
+  throw NetworkError(std::string("has no output of shape ") + what + ", only " + shapes);
 }
 
 Candidates read_candidates(const Tensor& output, int classes, int coefficients) {

@@ -75,7 +75,7 @@ struct DepthLearning {
     }
     /// The median. @pre a value was added
     double value() const {
-      std::array<float, kFrames> v;
+      std::array<float, kFrames> v{};
       std::copy(said.begin(), said.end(), v.begin());
       return static_cast<double>(lower_median(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(said.size())));
     }

@@ -6,6 +6,8 @@
 #include <onnxruntime_cxx_api.h>
 
 #include <cstdint>
+#include <iostream>
+#include <streambuf>
 #include <string>
 #endif
 
@@ -35,10 +37,28 @@ Tensor to_tensor(const std::string& name, const Ort::Value& value) {
   return tensor;
 }
 
+/// Nothing is written to std::cerr while it lives.
+class QuietErrors {
+ public:
+  QuietErrors() : kept_(std::cerr.rdbuf(nullptr)) {}
+  ~QuietErrors() { std::cerr.rdbuf(kept_); }
+  QuietErrors(const QuietErrors&) = delete;
+  QuietErrors& operator=(const QuietErrors&) = delete;
+
+ private:
+  std::streambuf* kept_;
+};
+
+/// As Debian 13 packages it, the first session registers the operators of ONNX, which libonnx has registered before,
+/// and complains of each of them. What goes wrong in earnest is thrown.
+Ort::Session open_session(const Ort::Env& env, const std::filesystem::path& path) {
+  const QuietErrors quiet;
+  return Ort::Session(env, path.c_str(), Ort::SessionOptions{});
+}
+
 class OnnxRuntimeBackend : public Backend {
  public:
-  OnnxRuntimeBackend(const std::filesystem::path& path, const OnnxFile& file) try
-      : session_(env_, path.c_str(), Ort::SessionOptions{}) {
+  OnnxRuntimeBackend(const std::filesystem::path& path, const OnnxFile& file) try : session_(open_session(env_, path)) {
     for (const Port& output : file.outputs) names_.push_back(output.name);
   } catch (const Ort::Exception& error) {
     throw NetworkError(std::string("ONNX Runtime cannot load it: ") + error.what());

@@ -60,10 +60,15 @@ large() {
 
 accepts "network" with_frame --network "$cars"
 says "network" "masks     in 24 of 24 frames"
-says "network" "network   $cars: ids, input 620x188, OpenCV"
+says "network" "network   $cars: ids, input 620x188, O" # OpenCV or ONNX Runtime
 # In frame 16 the car that comes towards the camera has 5,745 pixels, the van 2,006, and the nearest parked car 15,880.
 [ "$(large moving 1500)" -eq 2 ] || fail "frame 16 has not two large movers"
 [ "$(large static 10000)" -eq 1 ] || fail "frame 16 does not have the parked car as static"
+if grep -qF "ONNX Runtime" "$work/stdout"; then
+  accepts "OpenCV" opencv --network "$cars" --network-backend opencv
+  says "OpenCV" "ids, input 620x188, OpenCV"
+  diff -r -x timing.csv "$work/with_frame" "$work/opencv" > "$work/stderr" || fail "OpenCV and ONNX Runtime differ"
+fi
 accepts "every fourth frame" every --network "$cars" --mask-every 4
 says "every fourth frame" "masks     in 6 of 24 frames"
 accepts "format" format --network "$cars" --network-format ids --network-size 620x188

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -15,21 +16,65 @@
 #include "pictures.hpp"
 #include "sequence/errors.hpp"
 
-// Networks from files, run by OpenCV's dnn module.
+// Networks from files, run by OpenCV's dnn module, and by ONNX Runtime where the program was built with it.
 
-namespace network::test {
+namespace network {
+
+/// The name of a test's parameter.
+static void PrintTo(BackendChoice backend, std::ostream* stream) {
+  *stream << (backend == BackendChoice::OpenCv ? "OpenCv" : "OnnxRuntime");
+}
+
+namespace test {
 namespace {
 
 namespace fs = std::filesystem;
 
 fs::path model(const std::string& name) { return fs::path(DOT_MODEL_DIR) / (name + ".onnx"); }
 
-NetworkOptions options(const std::string& name) {
+NetworkOptions options(const std::string& name, BackendChoice backend = BackendChoice::OpenCv) {
   NetworkOptions o;
   o.model = model(name);
-  o.backend = BackendChoice::OpenCv;
+  o.backend = backend;
   return o;
 }
+
+/// Those that the program was built with.
+std::vector<BackendChoice> backends() {
+  std::vector<BackendChoice> list{BackendChoice::OpenCv};
+  if (has_onnx_runtime()) list.push_back(BackendChoice::OnnxRuntime);
+  return list;
+}
+
+/// A test of each of them.
+class AnyBackend : public ::testing::TestWithParam<BackendChoice> {
+ protected:
+  static std::vector<Tensor> outputs_of(const std::string& name, const Tensor& input) {
+    const bool opencv = GetParam() == BackendChoice::OpenCv;
+    return (opencv ? open_opencv : open_onnx_runtime)(model(name), read_onnx(model(name)))->run(input);
+  }
+  static Tensor output_of(const std::string& name, const Tensor& input) { return outputs_of(name, input).at(0); }
+
+  static void expect_outputs(const std::string& name, const std::vector<int>& input_shape,
+                             const std::vector<Tensor>& expected) {
+    Tensor input{"images", input_shape, {}};
+    input.values.assign(count_of(input_shape), .25F);
+    const std::vector<Tensor> outputs = outputs_of(name, input);
+    ASSERT_EQ(outputs.size(), expected.size());
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      EXPECT_EQ(outputs[i].name, expected[i].name);
+      EXPECT_EQ(outputs[i].values, expected[i].values) << outputs[i].name;
+    }
+  }
+
+  static void expect_boxes_of_yolo8(const Tensor& output) {
+    const float expected[] = {4, 12, 8, 24, 4, 4, 24, 24, 16, 16, 32, 32, 16, 16, 32, 32};
+    ASSERT_EQ(output.values.size(), 16U);
+    for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(output.values[i], expected[i], 1e-5) << i;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(, AnyBackend, ::testing::ValuesIn(backends()), ::testing::PrintToStringParamName());
 
 /// What a network of this file says of an image without contents.
 runner::Segmentation run(const NetworkOptions& o, cv::Size size) {
@@ -39,9 +84,7 @@ runner::Segmentation run(const NetworkOptions& o, cv::Size size) {
 /// A file of the test's own.
 class TextFile {
  public:
-  explicit TextFile(const std::string& text)
-      : path_(fs::temp_directory_path() /
-              (std::string("dot_") + ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+  explicit TextFile(const std::string& text) : path_(fs::temp_directory_path() / name()) {
     std::ofstream(path_) << text;
   }
   ~TextFile() { fs::remove(path_); }
@@ -50,6 +93,12 @@ class TextFile {
   const fs::path& path() const { return path_; }
 
  private:
+  static std::string name() {
+    std::string text = std::string("dot_") + ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::replace(text.begin(), text.end(), '/', '_');  // of a test with a parameter
+    return text;
+  }
+
   fs::path path_;
 };
 
@@ -65,17 +114,6 @@ std::string complaint(const NetworkOptions& o, cv::Size size = {8, 4}) {
   return "";
 }
 
-void expect_outputs(const std::string& name, const std::vector<int>& input_shape, const std::vector<Tensor>& expected) {
-  Tensor input{"images", input_shape, {}};
-  input.values.assign(count_of(input_shape), .25F);
-  const std::vector<Tensor> outputs = open_opencv(model(name), read_onnx(model(name)))->run(input);
-  ASSERT_EQ(outputs.size(), expected.size());
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    EXPECT_EQ(outputs[i].name, expected[i].name);
-    EXPECT_EQ(outputs[i].values, expected[i].values) << outputs[i].name;
-  }
-}
-
 TEST(OnnxFile, TellsThePortsInTheOrderOfTheFile) {
   const OnnxFile file = read_onnx(model("torchvision"));
   ASSERT_EQ(file.inputs.size(), 1U);  // without the weights
@@ -87,7 +125,7 @@ TEST(OnnxFile, TellsThePortsInTheOrderOfTheFile) {
   EXPECT_EQ(file.outputs[3].shape, (std::vector<int>{4, 1, 4, 8}));
 }
 
-TEST(OpenCvBackend, GivesTheOutputsInTheOrderOfTheFile) {
+TEST_P(AnyBackend, GivesTheOutputsInTheOrderOfTheFile) {
   expect_outputs("yolo_v8", {1, 3, 16, 16}, yolo_v8());
   expect_outputs("yolo_v5", {1, 3, 16, 16}, yolo_v5());
   expect_outputs("torchvision", {1, 3, 4, 8}, torchvision());
@@ -95,10 +133,10 @@ TEST(OpenCvBackend, GivesTheOutputsInTheOrderOfTheFile) {
   expect_outputs("ids", {1, 3, 4, 8}, ids());
 }
 
-TEST(OpenCvBackend, ScalesTheProductOfTwoActivations) {
+TEST_P(AnyBackend, ScalesTheProductOfTwoActivations) {
   Tensor input{"images", {1, 3, 4, 4}, std::vector<float>(48)};
   for (std::size_t i = 0; i < 48; ++i) input.values[i] = static_cast<float>(i % 7) - 3;
-  const Tensor output = open_opencv(model("attention"), read_onnx(model("attention")))->run(input)[0];
+  const Tensor output = output_of("attention", input);
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t row = 0; row < 4; ++row)
       for (std::size_t column = 0; column < 4; ++column) {
@@ -111,31 +149,26 @@ TEST(OpenCvBackend, ScalesTheProductOfTwoActivations) {
 
 /// With equal probabilities each distance is 1, the mean of 0, 1 and 2: boxes of 2x2 about the anchors, times the
 /// strides.
-TEST(OpenCvBackend, RunsTheHeadOfYolo8WithItsConstantsExpanded) {
+TEST_P(AnyBackend, RunsTheHeadOfYolo8WithItsConstantsExpanded) {
   const Tensor input{"images", {1, 12, 2, 2}, std::vector<float>(48, .25F)};
-  const Tensor output =
-      open_opencv(model("boxes_head_expanded"), read_onnx(model("boxes_head_expanded")))->run(input)[0];
-  const float expected[] = {4, 12, 8, 24, 4, 4, 24, 24, 16, 16, 32, 32, 16, 16, 32, 32};
-  ASSERT_EQ(output.values.size(), 16U);
-  for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(output.values[i], expected[i], 1e-5) << i;
+  expect_boxes_of_yolo8(output_of("boxes_head_expanded", input));
 }
 
-TEST(OpenCvBackend, RunsRowsOfFourAndTwoDimensionsExpanded) {
+TEST_P(AnyBackend, RunsRowsOfFourAndTwoDimensionsExpanded) {
   EXPECT_EQ(read_onnx(model("rows")).rows, (std::vector<std::string>{"ones", "factors"}));
-  const OnnxFile file = read_onnx(model("rows_expanded"));
-  EXPECT_TRUE(file.rows.empty());
+  EXPECT_TRUE(read_onnx(model("rows_expanded")).rows.empty());
   const Tensor input{"images", {1, 3, 2, 2}, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}};
-  EXPECT_EQ(open_opencv(model("rows_expanded"), file)->run(input)[0].values,
+  EXPECT_EQ(output_of("rows_expanded", input).values,
             (std::vector<float>{2, 24, 12, 56, 6, 32, 24, 72, 10, 40, 36, 88}));
 }
 
-TEST(OpenCvBackend, RunsTheHeadOfYolo5) {
+TEST_P(AnyBackend, RunsTheHeadOfYolo5) {
   // Where the sigmoid's argument is 0, a box is at (1 + place) * 8 and has its anchor's size. The last channel of each
   // anchor, the coefficient, is passed on.
   Tensor input{"images", {1, 14, 2, 2}, std::vector<float>(56, 0)};
   for (std::size_t i = 0; i < 4; ++i)
     input.values[24 + i] = 1 + static_cast<float>(i), input.values[52 + i] = 5 + static_cast<float>(i);
-  const Tensor output = open_opencv(model("yolo_v5_head"), read_onnx(model("yolo_v5_head")))->run(input)[0];
+  const Tensor output = output_of("yolo_v5_head", input);
   const std::vector<float> expected{8, 8,  4,  6,  .5F, .5F, 1, 16, 8,  4,  6,  .5F, .5F, 2,  //
                                     8, 16, 4,  6,  .5F, .5F, 3, 16, 16, 4,  6,  .5F, .5F, 4,  //
                                     8, 8,  10, 12, .5F, .5F, 5, 16, 8,  10, 12, .5F, .5F, 6,  //
@@ -145,31 +178,32 @@ TEST(OpenCvBackend, RunsTheHeadOfYolo5) {
 }
 
 /// As exported OpenCV 4.6 gets it wrong, without a word: 12 instead of 24 for the second box's y.
-TEST(OpenCvBackend, RefusesTheHeadOfYolo8AsExportedWhereItWouldBeWrong) {
-  const OnnxFile file = read_onnx(model("boxes_head"));
-  EXPECT_EQ(file.rows, std::vector<std::string>{"strides"});
+TEST_P(AnyBackend, RefusesTheHeadOfYolo8AsExportedWhereItWouldBeWrong) {
+  EXPECT_EQ(read_onnx(model("boxes_head")).rows, std::vector<std::string>{"strides"});
   EXPECT_TRUE(read_onnx(model("boxes_head_expanded")).rows.empty());
   const Tensor input{"images", {1, 12, 2, 2}, std::vector<float>(48, .25F)};
   try {
-    EXPECT_NEAR(open_opencv(model("boxes_head"), file)->run(input)[0].values.at(3), 24, 1e-5);
+    expect_boxes_of_yolo8(output_of("boxes_head", input));
   } catch (const NetworkError& error) {
+    EXPECT_EQ(GetParam(), BackendChoice::OpenCv);
     EXPECT_EQ(
         std::string(error.what()).rfind("OpenCV " CV_VERSION " may compute wrongly with the constant 'strides'", 0), 0U)
         << error.what();
   }
 }
 
-TEST(Network, Yolo) {
+TEST_P(AnyBackend, Yolo) {
   const TextFile classes("car\nperson, dynamic\ntree, ignored\n");
   for (const char* const name : {"yolo_v8", "yolo_v5"}) {
-    NetworkOptions o = options(name);
+    NetworkOptions o = options(name, GetParam());
     o.classes = classes.path();
     const runner::Segmentation s = run(o, {16, 8});
     EXPECT_EQ(picture(s.ids), (Picture{"..11111133......", "..11111133......", "..11111122222222", "..11111122222222",
                                        "..11111133......", "..11111133......", "..11111133......", "..11111133......"}))
         << name;
     EXPECT_EQ(s.instances.size(), 3U);
-    EXPECT_EQ(open_network(o, {16, 8}).description.rfind("yolo-seg, input 16x16, OpenCV", 0), 0U);
+    const std::string by = GetParam() == BackendChoice::OpenCv ? "OpenCV" : "ONNX Runtime";
+    EXPECT_EQ(open_network(o, {16, 8}).description.rfind("yolo-seg, input 16x16, " + by, 0), 0U);
   }
 }
 
@@ -182,14 +216,15 @@ TEST(Network, TellsTheNamesOfItsClasses) {
   EXPECT_TRUE(open_network(options("ids"), {8, 4}).class_names.empty());
 }
 
-TEST(Network, MaskRcnn) {
-  EXPECT_EQ(picture(run(options("torchvision"), {8, 4}).ids),
+TEST_P(AnyBackend, MaskRcnn) {
+  EXPECT_EQ(picture(run(options("torchvision", GetParam()), {8, 4}).ids),
             (Picture{".22.....", "222111..", "222111..", "222....."}));
-  EXPECT_EQ(picture(run(options("detectron2"), {8, 4}).ids), (Picture{"22..1111", "22..1111", "....1111", "....1111"}));
+  EXPECT_EQ(picture(run(options("detectron2", GetParam()), {8, 4}).ids),
+            (Picture{"22..1111", "22..1111", "....1111", "....1111"}));
 }
 
-TEST(Network, Ids) {
-  NetworkOptions o = options("ids");
+TEST_P(AnyBackend, Ids) {
+  NetworkOptions o = options("ids", GetParam());
   EXPECT_EQ(run(o, {8, 4}).ids.at<std::uint16_t>(1, 5), 300);
   o.format = Format::Ids;
   EXPECT_EQ(run(o, {16, 8}).ids.at<std::uint16_t>(3, 11), 300);
@@ -303,4 +338,5 @@ TEST(Classes, FilesWithErrorsNameTheLine) {
 }
 
 }  // namespace
-}  // namespace network::test
+}  // namespace test
+}  // namespace network

@@ -107,20 +107,24 @@ def save(path, weights, height, width):
     def conv(name, source, kernel, **more):
         return helper.make_node("Conv", [source, name + "_w", name + "_b"], [name], kernel_shape=[kernel, kernel], **more)
 
+    def mean(source, name, window):
+        """Zeros around the image count. By a Pad of its own: OpenCV does not read AveragePool's count_include_pad."""
+        tensors[name + "_pads"] = np.array([0, 0, window // 2, window // 2] * 2)
+        return [helper.make_node("Pad", [source, name + "_pads"], [name + "_padded"]),
+                helper.make_node("AveragePool", [name + "_padded"], [name], kernel_shape=[window, window], strides=[1, 1])]
+
     nodes = [conv("cells", "images", CELL, strides=[CELL, CELL]), conv("first", "cells", 3, pads=[1] * 4),
              helper.make_node("Relu", ["first"], ["features"])]
     for k in WINDOWS:
-        nodes.append(helper.make_node("AveragePool", ["features"], [f"mean{k}"], kernel_shape=[k, k], strides=[1, 1],
-                                      pads=[k // 2] * 4, count_include_pad=1))
+        nodes += mean("features", f"mean{k}", k)
     nodes += [helper.make_node("Concat", ["features"] + [f"mean{k}" for k in WINDOWS], ["wide"], axis=1),
               conv("second", "wide", 1), helper.make_node("Relu", ["second"], ["hidden"]), conv("third", "hidden", 1),
-              helper.make_node("AveragePool", ["third"], ["smooth"], kernel_shape=[3, 3], strides=[1, 1], pads=[1] * 4,
-                               count_include_pad=1),
+              *mean("third", "smooth", 3),
               helper.make_node("ArgMax", ["smooth"], ["ids"], axis=1, keepdims=1)]
     graph = helper.make_graph(
         nodes, "cars", [helper.make_tensor_value_info("images", TensorProto.FLOAT, (1, 3, height, width))],
         [helper.make_tensor_value_info("ids", TensorProto.INT64, (1, 1, height // CELL, width // CELL))],
-        [numpy_helper.from_array(np.ascontiguousarray(t, np.float32), name) for name, t in tensors.items()])
+        [numpy_helper.from_array(np.ascontiguousarray(t), name) for name, t in tensors.items()])
     model = helper.make_model(graph, opset_imports=[helper.make_opsetid("", 12)], producer_name="dot")
     model.ir_version = 7
     onnx.checker.check_model(model)

@@ -89,4 +89,28 @@ TEST(AwaitedFrames, LetGoOfTheFramesThatTheyDrop) {
   EXPECT_EQ(first.use_count(), 1);
 }
 
+TEST(AwaitedFrames, AreMovedByRevisedSteps) {
+  const auto step_by = [](double metres) {
+    CameraStep step = step_ahead(dot::CameraStatus::Tracked);
+    step.T_cur_prev = SE3d::translation({0, 0, metres});
+    step.covariance.setIdentity();
+    return step;
+  };
+  AwaitedFrames kept;
+  for (int i = 0; i < 3; ++i) {
+    const CameraStep step = step_by(1);
+    kept.advance(step);
+    kept.add(frame(static_cast<std::uint64_t>(10 + i), i), step, 10, 10);
+  }
+  CameraStep right = step_by(-2);
+  right.covariance *= 0.25;
+  kept.revise({{11, 1, right}});
+  const auto ahead = [&](std::uint64_t id) { return kept.find(id)->since.T_now_ref.t.z(); };
+  EXPECT_DOUBLE_EQ(ahead(10), -1);
+  EXPECT_DOUBLE_EQ(ahead(11), 1);
+  EXPECT_DOUBLE_EQ(ahead(12), 0);
+  EXPECT_DOUBLE_EQ(kept.find(10)->since.covariance(2, 2), 1.25);
+  EXPECT_DOUBLE_EQ(kept.find(11)->camera.T_cur_prev.t.z(), -2);
+}
+
 }  // namespace

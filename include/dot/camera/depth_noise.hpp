@@ -40,6 +40,9 @@ struct DepthNoise {
     if (focal_baseline <= 0 && settings.source == DepthSource::Stereo) settings.source = DepthSource::Unknown;
   }
 
+  /// Forgets what was learnt.
+  void forget_scales() { pixel_scale = shared_scale = shared_drift_scale = 1; }
+
   /// Standard deviation of one pixel's inverse depth, 1/m.
   double pixel_sigma(double q) const { return pixel_scale * prior_pixel_sigma(q); }
   /// Standard deviation of the error that an object's pixels share, 1/m.

@@ -10,6 +10,7 @@
 #include "dot/camera_motion/bias_learning.hpp"
 #include "dot/camera_motion/depth_learning.hpp"
 #include "dot/camera_motion/estimator.hpp"
+#include "dot/camera_motion/first_intervals.hpp"
 #include "dot/frame/frame.hpp"
 #include "dot/frame/frame_data.hpp"
 #include "dot/image/morphology.hpp"
@@ -35,6 +36,10 @@ class CameraTracker {
                    const std::vector<const PointSet*>& objects, const Camera& camera,
                    const CameraMotionEstimator& estimator, Aligner& aligner, MinimaWorkspace& workspace);
 
+  /// The earlier intervals that the last one proved to be wrong, the oldest first, with their right motions. What was
+  /// concluded from them is wrong, too.
+  const std::vector<RevisedInterval>& revised() const { return revised_; }
+
   /// Learns the noise and bias of the depth from the background. Must be called after `track`. @param noise is scaled.
   void learn_depth(const FrameData& cur, const CameraStep& step, const Camera& camera, const AlignSettings& settings,
                    int min_points, Noise& noise);
@@ -54,11 +59,14 @@ class CameraTracker {
   /// Forgets the frames, but keeps the learnt noise and bias.
   void forget_frames() noexcept {
     background_.forget();
+    first_intervals_.clear();
     depth_learning_.clear();
   }
   /// Forgets everything.
   void forget() noexcept {
     background_.forget();
+    first_intervals_.clear();
+    revised_.clear();
     depth_learning_.forget();
     bias_learning_.forget();
     velocity_known_ = false;
@@ -66,13 +74,12 @@ class CameraTracker {
   }
 
  private:
-  static constexpr double kShake = 0.02;  ///< metres by which two intervals differ at any acceleration
-
   /// T_cur_prev of each start, the most trusted first: from the host, and at constant velocity.
   void predict(const HostMotion& host, double seconds);
   void take_host_motion(const CameraMotion& motion, const FrameData& cur, const Camera& camera, Aligner& aligner,
                         CameraStep& step) const;
-  void estimate(const FramePtr& prev, const FrameData& cur, bool expected, const std::vector<const PointSet*>& objects,
+  /// @return whether the motion was searched, because the velocity was not known or did not lead to it.
+  bool estimate(const FramePtr& prev, const FrameData& cur, bool expected, const std::vector<const PointSet*>& objects,
                 const Camera& camera, const CameraMotionEstimator& estimator, Aligner& aligner,
                 MinimaWorkspace& workspace, CameraStep& step);
   static Matrix6<double> covariance_of_guess(const CameraSettings& settings, double seconds);
@@ -80,6 +87,8 @@ class CameraTracker {
   Background background_;
   Vector6<double> velocity_ = Vector6<double>::Zero();  ///< twist per second
   bool velocity_known_ = false;                         ///< whether it is of the last interval
+  FirstIntervals first_intervals_;
+  std::vector<RevisedInterval> revised_;
   DepthLearning depth_learning_;
   DepthBiasLearning bias_learning_;
 

@@ -136,7 +136,11 @@ struct CameraMotionEstimator {
                   : a.phi >= settings.min_phi_unexpected && a.margin >= settings.min_margin);
   }
 
+  /// Metres by which the motion of an interval may differ from that at constant velocity.
+  double reach(double seconds) const { return settings.max_acceleration * seconds * seconds + kShake; }
+
  private:
+  static constexpr double kShake = 0.02;       ///< metres by which two intervals differ at any acceleration
   static constexpr double kMinGain = 0.2;      ///< least ratio of the exposures of two frames
   static constexpr std::size_t kCompared = 8;  ///< minima whose neighbourhood is searched
   static constexpr int kRanked = 500;          ///< points for ranking many places, at least

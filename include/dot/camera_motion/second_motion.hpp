@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -30,14 +31,11 @@ struct SecondMotion {
   static std::optional<AlignState> find(const AlignProblem<Camera>& problem, const AlignState& best,
                                         const CameraSearch& search, const MotionEvidence& evidence, double depth,
                                         int level, double sigma, Aligner& aligner, MinimaWorkspace& workspace) {
-    std::vector<float>& costs = workspace.point_costs;
-    aligner.point_costs(problem, best, level, sigma, costs);
-    const float most = static_cast<float>(aligner.settings.tukey * aligner.settings.tukey / 6);
-    int seen = 0;
-    for (const float cost : costs) seen += cost >= 0;
+    take_unexplained(problem, best, level, sigma, aligner, workspace);
     PointSet& rest = workspace.unexplained;
-    rest.take_if(problem.points, [&](std::size_t i) { return costs[i] > kUnexplained * most; });
-    if (rest.size() < kMinPoints || rest.size() < kMinShare * seen) return std::nullopt;
+    const std::vector<float>& costs = workspace.point_costs;
+    const auto seen = std::count_if(costs.begin(), costs.end(), [](float cost) { return cost >= 0; });
+    if (rest.size() < kMinPoints || rest.size() < kMinShare * static_cast<double>(seen)) return std::nullopt;
 
     // Points of one set have one frame.
     if (evidence.T_points_prev.log().isZero())
@@ -53,6 +51,17 @@ struct SecondMotion {
       if (cost < least) least = cost, found = a.state;
     });
     return found;
+  }
+
+  /// Sets workspace.unexplained to the visible points that a motion does not explain. @param sigma grey values, scale
+  /// of the residuals on the level.
+  template <typename Camera, typename Aligner>
+  static void take_unexplained(const AlignProblem<Camera>& problem, const AlignState& motion, int level, double sigma,
+                               Aligner& aligner, MinimaWorkspace& workspace) {
+    std::vector<float>& costs = workspace.point_costs;
+    aligner.point_costs(problem, motion, level, sigma, costs);
+    const float most = static_cast<float>(aligner.settings.tukey * aligner.settings.tukey / 6);
+    workspace.unexplained.take_if(problem.points, [&](std::size_t i) { return costs[i] > kUnexplained * most; });
   }
 };
 

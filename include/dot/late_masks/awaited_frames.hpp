@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dot/camera_motion/camera_step.hpp"
+#include "dot/camera_motion/first_intervals.hpp"
 #include "dot/frame/frame_data.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -33,6 +34,17 @@ class AwaitedFrames {
     for (AwaitedFrame& f : frames_) {
       f.since = f.since.after(step);
       f.since_known = f.since_known && step.known();
+    }
+  }
+
+  /// Corrects the steps that led to some of the frames. Must be called before the newest step is added.
+  void revise(const std::vector<RevisedInterval>& revised) {
+    for (const RevisedInterval& r : revised)
+      for (AwaitedFrame& f : frames_)
+        if (f.frame->timestamp == r.timestamp) f.camera = r.step;
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+      frames_[i].since = {};
+      for (std::size_t k = i + 1; k < frames_.size(); ++k) frames_[i].since = frames_[i].since.after(frames_[k].camera);
     }
   }
 

@@ -33,6 +33,9 @@ class LateMasks {
   /// Moves all to the next frame. @param step led to that frame.
   void advance(const CameraStep& step) { frames_.advance(step); }
 
+  /// Corrects the camera's motions between these frames. Must be called before `advance`.
+  void revise(const std::vector<RevisedInterval>& revised) { frames_.revise(revised); }
+
   /// Keeps the newest frame while its masks may arrive: until they are too late, or masks of a later frame have
   /// arrived.
   /// @param segmented the frame came with masks.

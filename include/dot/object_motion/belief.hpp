@@ -44,6 +44,14 @@ struct ObjectBelief {
     if (state != State::NotObservable) last_decided = state;
   }
 
+  /// Forgets all that was measured. An object that the caller says moves goes on moving.
+  void forget() {
+    const bool moves = always_dynamic;
+    *this = {};
+    always_dynamic = moves;
+    if (moves) take({});
+  }
+
   /// Whether the classifier gives a velocity. Some classifiers give none after a frame without a fit.
   bool has_velocity() const { return velocity_covariance.trace() > 0; }
 

@@ -42,6 +42,14 @@ struct ObjectMotion {
     no_reference = reason;
   }
 
+  /// Forgets all motions, and the references before a time, because the camera's motion since them was wrong.
+  void forget_before(double time) {
+    while (!references.empty() && references.back().timestamp < time) references.pop_back();
+    path.clear();
+    has_T_o_now = false;
+    doubted_at = -std::numeric_limits<double>::infinity();
+  }
+
   /// Drops the references that are older than so many seconds.
   void drop_older_references(double timestamp, double seconds) {
     constexpr double kClockError = 1e-6;

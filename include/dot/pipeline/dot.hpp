@@ -88,6 +88,7 @@ class Dot {
 
   void label_objects(const Frame& frame);
   double start_interval(double timestamp);
+  void forget_wrong_motions();
   void discover(const FrameData& cur, const CameraStep& camera_step);
   void remember(const CameraStep& camera_step);
   void write_result(const Frame& frame, const CameraStep& camera_step);
@@ -129,6 +130,7 @@ class Dot {
 
   Watch watch_;
   std::vector<ObjectResult> objects_;
+  std::vector<CameraRevision> revised_;
   Result result_;
   Stopwatch stopwatch_;
 };

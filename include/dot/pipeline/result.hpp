@@ -32,6 +32,14 @@ struct CameraResult {
   int n_inliers = 0;                    ///< of these, points that fit the line between intensities
 };
 
+/// An earlier motion of the camera that was wrong, and the right one. A host that has used it should use this instead.
+struct CameraRevision {
+  std::uint64_t frame_id = 0;                                             ///< of the frame that the motion led to
+  double timestamp = 0;                                                   ///< of that frame, seconds
+  std::array<double, 12> T_cur_prev{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  ///< to that frame, row-major 3x4
+  std::array<double, 36> covariance{};                                    ///< of its left twist, row-major
+};
+
 /// One object in one frame.
 struct ObjectResult {
   std::uint32_t id = 0;                ///< of the track, never reused
@@ -100,6 +108,7 @@ struct Result {
   double disparity_bias_px = 0;   ///< for stereo: RMS over the image of the learnt bias that was subtracted
   Diagnosis diagnosis;            ///< what may be wrong with the last frames' images, depth and times
   CameraResult camera;            ///< the camera's part
+  Span<CameraRevision> revised;  ///< earlier frames whose camera motion this frame proved to be wrong, the oldest first
   ImageView<const std::uint8_t> labels;  ///< State of each pixel
   ImageView<const std::uint32_t> ids;    ///< track id of each pixel, 0 = background
   Span<ObjectResult> objects;            ///< all live tracks by id, including those without pixels

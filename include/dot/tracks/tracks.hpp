@@ -92,6 +92,8 @@ class Tracks {
   }
   /// Forgets all references, so that no earlier frame is compared with. The ids are kept.
   void forget_references();
+  /// Forgets the beliefs, and the references before a time, because the camera's motions before it were wrong.
+  void forget_motions(double before);
   /// Drops all tracks. Ids are not used again.
   void clear() noexcept {
     for (Track& t : tracks_) t.outline.release_frame();

@@ -19,20 +19,30 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
                                                         Aligner& aligner, MinimaWorkspace& workspace) {
   CameraStep step;
   step.seconds = seconds;
+  revised_.clear();
   background_.points.subtract_bias(cur.bias, camera.width(), camera.height());
   if (seconds <= 0) {
     velocity_known_ = false;
+    first_intervals_.clear();
     return step;
   }
+  first_intervals_.keep_frame(prev);
   predict(host, seconds);
   step.T_cur_prev = starts_.front();
+  bool searched = false;
   if (host.motion)
     take_host_motion(*host.motion, cur, camera, aligner, step);
   else if (background_.points.size() < estimator.settings.min_points)
     step.status = CameraStatus::TooLittleDepth;
   else
-    estimate(prev, cur, host.prior.has_value(), objects, camera, estimator, aligner, workspace, step);
+    searched = estimate(prev, cur, host.prior.has_value(), objects, camera, estimator, aligner, workspace, step);
 
+  if (step.status != CameraStatus::Tracked || background_.guessed) {
+    first_intervals_.clear();
+  } else {
+    first_intervals_.revise(step, camera, estimator, aligner, workspace, revised_);
+    first_intervals_.add(background_, step, searched || !revised_.empty());
+  }
   velocity_known_ = step.known();
   if (!step.known()) {
     step.covariance = covariance_of_guess(estimator.settings, seconds);
@@ -69,7 +79,7 @@ void CameraTracker<Camera, Noise, Aligner>::take_host_motion(const CameraMotion&
 
 /// @param expected the host gave a start.
 template <typename Camera, typename Noise, typename Aligner>
-void CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const FrameData& cur, bool expected,
+bool CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const FrameData& cur, bool expected,
                                                      const std::vector<const PointSet*>& objects, const Camera& camera,
                                                      const CameraMotionEstimator& estimator, Aligner& aligner,
                                                      MinimaWorkspace& workspace, CameraStep& step) {
@@ -78,21 +88,23 @@ void CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
   const CameraSettings& s = estimator.settings;
   const auto align = [&](const CameraSearch* search) {
     MotionEvidence evidence{objects, T_prev_points.inverse()};
-    if (!search) evidence.reach = s.max_acceleration * step.seconds * step.seconds + kShake;
+    if (!search) evidence.reach = estimator.reach(step.seconds);
     step.alignment =
         estimator.estimate(background_.points, cur.pyramid, camera, starts_, search, evidence, aligner, workspace);
   };
   const CameraSearch search{s.search_speed * step.seconds, s.search_turn * step.seconds, prev->pyramid, T_prev_points};
   align(velocity_known_ ? nullptr : &search);
-  bool ok = estimator.accepts(step.alignment, velocity_known_ || expected);
+  bool ok = estimator.accepts(step.alignment, velocity_known_ || expected), searched = !velocity_known_;
   if (!ok && velocity_known_) {  // the camera's velocity changed
     align(&search);
     ok = estimator.accepts(step.alignment, false);
+    searched = true;
   }
   step.status = ok ? CameraStatus::Tracked : CameraStatus::Lost;
-  if (!ok) return;
+  if (!ok) return searched;
   step.T_cur_prev = step.alignment.state.T * T_prev_points.inverse();
   step.covariance = s.covariance_scale * step.alignment.covariance.template topLeftCorner<6, 6>();
+  return searched;
 }
 
 /// Covariance of a motion of which only the limits are known: uniform within the range of a search.
@@ -112,6 +124,11 @@ void CameraTracker<Camera, Noise, Aligner>::learn_depth(const FrameData& cur, co
                                                         int min_points, Noise& noise) {
   if constexpr (std::is_same_v<Noise, DepthNoise>) {
     if (step.seconds <= 0) return;
+    if (!revised_.empty()) {  // learnt with the wrong motions
+      depth_learning_.forget();
+      bias_learning_.forget();
+      noise.forget_scales();
+    }
     if (!step.known() || background_.guessed)
       depth_learning_.clear();
     else

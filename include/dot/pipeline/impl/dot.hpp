@@ -69,6 +69,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
       camera_tracker_.track(previous_, cur, seconds, {frame.camera_motion, frame.camera_prior},
                             tracks_.points_of(previous_ ? previous_->timestamp : 0), camera_, camera_estimator,
                             worker.aligner, worker.minima);
+  if (!camera_tracker_.revised().empty()) forget_wrong_motions();
   camera_tracker_.learn_depth(cur, camera_step, camera_, options_.align, camera_estimator.settings.min_points,
                               depth_noise);
   late_masks_.advance(camera_step);
@@ -99,6 +100,15 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   ends(Stage::Points);
   write_result(frame, camera_step);
   late_masks_.await(current_, camera_step, segmented, options_.mask, tracks_.all());
+}
+
+/// Forgets what was concluded from motions of the camera that the newest one proved to be wrong.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::forget_wrong_motions() {
+  tracks_.forget_motions(previous_->timestamp);
+  late_masks_.revise(camera_tracker_.revised());
+  labeller_.forget();
+  discovery_.clear();
 }
 
 /// @return seconds since the previous frame; 0 if there is none to align to. After too long a gap the ids are kept, but
@@ -176,8 +186,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::reset() noexcept {
   watch_.forget();
   labeller_.forget();
   tracks_.clear();
-  if constexpr (std::is_same_v<Noise, DepthNoise>)
-    depth_noise.pixel_scale = depth_noise.shared_scale = depth_noise.shared_drift_scale = 1;
+  if constexpr (std::is_same_v<Noise, DepthNoise>) depth_noise.forget_scales();
 }
 
 /// Runs `body`. Resets on an exception, because a partly processed frame leaves no valid state. OpenCV has its own

@@ -86,6 +86,15 @@ void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame, c
   if constexpr (std::is_same_v<Noise, DepthNoise>)
     result_.disparity_bias_px = current_->bias.is_zero() ? 0 : current_->bias.rms() * depth_noise.focal_baseline;
   result_.camera = writing::result_of(camera_step);
+  revised_.clear();
+  for (const RevisedInterval& r : camera_tracker_.revised()) {
+    CameraRevision& out = revised_.emplace_back();
+    out.frame_id = r.frame_id;
+    out.timestamp = r.timestamp;
+    out.T_cur_prev = r.step.T_cur_prev.row_major();
+    writing::copy(r.step.covariance, out.covariance);
+  }
+  result_.revised = {revised_.data(), revised_.size()};
   objects_.clear();
   for (const Track* t : tracks_.all())
     if (!t->candidacy.is_candidate) objects_.push_back(writing::result_of(*t));

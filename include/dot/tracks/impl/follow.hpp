@@ -44,6 +44,15 @@ void Tracks<Camera, Classifier, Noise, Aligner>::forget_references() {
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::forget_motions(double before) {
+  for (ClassifiedTrack& t : tracks_) {
+    t.motion.forget_before(before);
+    t.belief.forget();
+    t.memory = {};
+  }
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::predict(const List& tracks, const Interval& interval,
                                                          const Setup& setup) {
   setup.threads.run(static_cast<int>(tracks.size()), [&](int worker, int i) {

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+
+// A first motion that was wrong is found again when the next one contradicts it.
+
+#include "dot/camera_motion/first_intervals.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "dot/tracker.hpp"
+#include "support/film.hpp"
+
+namespace {
+
+using dot::CameraRevision;
+using dot::ObjectResult;
+using dot::Options;
+using dot::Result;
+using dot::SE3d;
+using dot::State;
+using dot::Tracker;
+using namespace dot::test;
+
+constexpr std::uint32_t kLorry = 9;
+
+/// A camera that drives behind a lorry at 6 m/s, which covers most of the view; two parked cars beside it.
+Film<> behind_a_lorry(const Path& camera_path) {
+  Film<> film;
+  film.camera_path = camera_path;
+  film.degradation.noise = 1;
+  film.add(1, straight({-4.2, 1.3, 9}));
+  film.add(2, straight({-4.6, 1.3, 14}));
+  film.add(box(kLorry, {3.2, 2.6, 3}, 77, 0.25, 1.2), straight({1, -0.2, 8}, {0.2, 0, 6}));
+  return film;
+}
+
+double error(const std::array<double, 12>& T_cur_prev, const SE3d& truth) {
+  return (SE3d::from_row_major(T_cur_prev).t - truth.t).norm();
+}
+
+/// The frame from which on the network sees the lorry.
+class WrongFirstMotion : public testing::TestWithParam<int> {
+ protected:
+  Film<> film = behind_a_lorry(straight({0, 0, 0}, {0, 0, 3}));
+
+  WrongFirstMotion() {
+    film.epoch = 1.7e9;
+    film.spoil = [](int index, Rendering& seen) {
+      for (int y = 0; index < GetParam() && y < seen.ids.height(); ++y)
+        for (int x = 0; x < seen.ids.width(); ++x)
+          if (seen.ids(x, y) == kLorry) seen.ids(x, y) = 0;
+    };
+  }
+};
+
+TEST_P(WrongFirstMotion, IsRevisedOnceTheLorryHasItsMask) {
+  const int masked = GetParam();
+  Tracker tracker(small_camera(), Options{});
+  for (int i = 0; i < 8; ++i) {
+    const Result& result = film.next(tracker);
+    if (i > 0 && i <= masked) {
+      ASSERT_GT(error(result.camera.T_cur_prev, film.T_c()), 0.3) << "the scene is too easy, frame " << i;
+      EXPECT_TRUE(result.revised.empty());
+      continue;
+    }
+    if (i == 0) continue;
+    EXPECT_LT(error(result.camera.T_cur_prev, film.T_c()), 0.01) << i;
+    ASSERT_EQ(result.revised.size, i == masked + 1 ? static_cast<std::size_t>(masked) : 0) << i;
+    for (int k = 0; k < masked && !result.revised.empty(); ++k) {
+      const CameraRevision& revised = result.revised[static_cast<std::size_t>(k)];
+      EXPECT_EQ(revised.frame_id, static_cast<std::uint64_t>(k + 1));
+      EXPECT_DOUBLE_EQ(revised.timestamp, film.epoch + film.interval * (k + 1));
+      EXPECT_LT(error(revised.T_cur_prev, film.T_c()), 0.02) << k;
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto at = static_cast<std::size_t>(axis);
+        EXPECT_LT(std::abs(revised.T_cur_prev[4 * at + 3] - film.T_c().t[axis]),
+                  4 * std::sqrt(revised.covariance[7 * at]))
+            << k << ", axis " << axis;
+      }
+    }
+    for (const ObjectResult& o : result.objects) {
+      EXPECT_NE(o.state, o.instance_id == kLorry ? State::Static : State::Moving) << o.instance_id << " in frame " << i;
+      if (i > masked + 2) {
+        EXPECT_EQ(o.state, o.instance_id == kLorry ? State::Moving : State::Static) << o.instance_id << " in " << i;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(MaskedFrom, WrongFirstMotion, testing::Values(1, 2, 3));
+
+// A camera that does change its velocity in no time, as over a kerb: the motions before were right.
+TEST(RightFirstMotion, IsNotRevised) {
+  for (const int jerk : {2, 3, 4}) {
+    Film<> film = behind_a_lorry([jerk](double t) {
+      const double jump = t > 0.1 * jerk - 0.05 ? 0.4 : 0;
+      return SE3d::translation(dot::Vector3<double>(0, 0, 3 * t + jump));
+    });
+    Tracker tracker(small_camera(), Options{});
+    for (int i = 0; i < 8; ++i) {
+      const Result& result = film.next(tracker);
+      EXPECT_TRUE(result.revised.empty()) << "jerk " << jerk << ", frame " << i;
+      if (i > 0) {
+        EXPECT_LT(error(result.camera.T_cur_prev, film.T_c()), 0.01) << "jerk " << jerk << ", frame " << i;
+      }
+    }
+  }
+}
+
+}  // namespace

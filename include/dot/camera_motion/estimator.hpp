@@ -67,7 +67,7 @@ struct CameraMotionEstimator {
     const AlignProblem<Camera> few{workspace.few, image, camera};
     if (predicted.back().log().norm() > 1e-3) {  // a part of the points finds the minimum, all of them measure it
       const AlignState stands{SE3d{}, first.gain, first.offset};
-      add(aligner.align(few, stands, top, fine).state, fine);
+      add(aligner.find_minimum(few, stands, top, fine).state, fine);
     }
     if (search) {
       const double sigma = aligner.intensity_sigma(problem, first, CameraSearch::level_of(top + 1));

@@ -76,7 +76,7 @@ struct CameraSearch {
     const auto follow = [&](int level) {
       minima.clear();
       for (const AlignState& start : workspace.starts) {
-        const AlignState found = aligner.align(part, start, level, level).state;
+        const AlignState found = aligner.find_minimum(part, start, level, level).state;
         const bool known = std::any_of(minima.begin(), minima.end(), [&](const auto& other) {
           return is_near(part.points, problem.camera, found.T, other.second.T, kSamePixels);
         });

@@ -45,7 +45,7 @@ struct TurnSearch {
         }
     keep_cheapest(grid, kAligned);
     for (const auto& place : grid) {
-      const SE3d T{aligner.align(distant, place.second, level, finer).state.T.R, Vector3<double>::Zero()};
+      const SE3d T{aligner.find_minimum(distant, place.second, level, finer).state.T.R, Vector3<double>::Zero()};
       const bool known = std::any_of(turns.begin() + 1, turns.end(), [&](const auto& other) {
         return is_near(workspace.distant, camera, T, other.second.T, kAnotherTurn);
       });

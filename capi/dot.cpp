@@ -250,6 +250,23 @@ dot_status dot_get_camera(dot_tracker* tracker, dot_camera_result* out) noexcept
   return guard(tracker, [&] { write(to_c(result_of(tracker)), out, "out"); });
 }
 
+dot_status dot_revision_count(dot_tracker* tracker, uint32_t* count) noexcept {
+  return guard(tracker, [&] {
+    if (count == nullptr) invalid("count is NULL");
+    *count = 0;
+    *count = static_cast<std::uint32_t>(result_of(tracker).revised.size);
+  });
+}
+
+dot_status dot_get_revision(dot_tracker* tracker, uint32_t index, dot_camera_revision* out) noexcept {
+  return guard(tracker, [&] {
+    const dot::Span<dot::CameraRevision> revised = result_of(tracker).revised;
+    if (index >= revised.size)
+      invalid("index is " + std::to_string(index) + ", there are " + std::to_string(revised.size) + " revisions");
+    write(to_c(revised[index]), out, "out");
+  });
+}
+
 dot_status dot_label_image(dot_tracker* tracker, dot_image* out) noexcept {
   return guard(tracker, [&] { write(to_c(result_of(tracker).labels, DOT_FORMAT_LABEL8), out, "out"); });
 }

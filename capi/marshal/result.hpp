@@ -116,6 +116,15 @@ inline dot_camera_result to_c(const dot::Result& result) {
   return out;
 }
 
+inline dot_camera_revision to_c(const dot::CameraRevision& revision) {
+  dot_camera_revision out{};
+  out.frame_id = revision.frame_id;
+  out.timestamp = revision.timestamp;
+  std::copy(revision.T_cur_prev.begin(), revision.T_cur_prev.end(), out.T_cur_prev);
+  std::copy(revision.covariance.begin(), revision.covariance.end(), out.covariance);
+  return out;
+}
+
 template <typename T>
 dot_image to_c(dot::ImageView<const T> view, std::uint32_t format) {
   dot_image out{};

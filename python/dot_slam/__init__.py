@@ -18,12 +18,12 @@ from ._check import Finding, check
 from .enums import CameraStatus, Classifier, DepthSource, Reason, State, Suspicion
 from .errors import Busy, Closed, Error, InternalError, InvalidArgument, NoResult, OutOfMemory
 from .masks import Instance, Masks, MasksLike
-from .result import CAMERA_DTYPE, OBJECT_DTYPE, CameraResult, Object, Result
+from .result import CAMERA_DTYPE, OBJECT_DTYPE, REVISION_DTYPE, CameraResult, CameraRevision, Object, Result
 from .tracker import Camera, CameraMotion, Tracker
 
 __version__ = _version()
 
-__all__ = ["CAMERA_DTYPE", "OBJECT_DTYPE", "Busy", "Camera", "CameraMotion", "CameraResult", "CameraStatus",
-           "Classifier", "Closed", "DepthSource", "Error", "Finding", "Instance", "InternalError", "InvalidArgument",
-           "Masks", "MasksLike", "NoResult", "Object", "OutOfMemory", "Reason", "Result", "State", "Suspicion",
-           "Tracker", "check"]
+__all__ = ["CAMERA_DTYPE", "OBJECT_DTYPE", "REVISION_DTYPE", "Busy", "Camera", "CameraMotion", "CameraResult",
+           "CameraRevision", "CameraStatus", "Classifier", "Closed", "DepthSource", "Error", "Finding", "Instance",
+           "InternalError", "InvalidArgument", "Masks", "MasksLike", "NoResult", "Object", "OutOfMemory", "Reason",
+           "Result", "State", "Suspicion", "Tracker", "check"]

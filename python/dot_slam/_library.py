@@ -90,6 +90,8 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "dot_object_count": (c_int32, [c_void_p, c_void_p]),
     "dot_get_object": (c_int32, [c_void_p, c_uint32, c_void_p]),
     "dot_get_camera": (c_int32, [c_void_p, c_void_p]),
+    "dot_revision_count": (c_int32, [c_void_p, c_void_p]),
+    "dot_get_revision": (c_int32, [c_void_p, c_uint32, c_void_p]),
     "dot_copy_labels": (c_int32, _BUFFER),
     "dot_copy_ids": (c_int32, _BUFFER),
     "dot_exclusion_mask": (c_int32, [c_void_p, *_BUFFER]),

@@ -21,7 +21,7 @@ from .enums import CameraStatus, Reason, State, Suspicion
 
 Floats = npt.NDArray[np.float64]
 
-# dot_object and dot_camera_result of dot/dot.h, field by field.
+# dot_object, dot_camera_result and dot_camera_revision of dot/dot.h, field by field.
 OBJECT_DTYPE = np.dtype(
     [("struct_size", "u4"), ("id", "u4"), ("state", "u4"), ("reason", "u4"), ("last_decided", "u4"), ("flags", "u4"),
      ("instance_id", "u4"), ("class_id", "i4"), ("score", "f4"), ("area", "i4"), ("box", "i4", 4), ("n_points", "i4"),
@@ -36,6 +36,9 @@ CAMERA_DTYPE = np.dtype(
      ("phi", "f8"), ("gain", "f8"), ("offset", "f8"), ("residual_sigma", "f8"), ("normalised_variance", "f8"),
      ("masked_share", "f8"), ("small_instances", "i4"), ("reserved", "u4"), ("suspicion_figure", "f8"),
      ("suspicion", "u4"), ("reserved2", "u4")], align=True)
+REVISION_DTYPE = np.dtype(
+    [("struct_size", "u4"), ("reserved", "u4"), ("frame_id", "u8"), ("timestamp", "f8"), ("T_cur_prev", "f8", (3, 4)),
+     ("covariance", "f8", (6, 6))], align=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +62,16 @@ class CameraResult:
     small_instances: int  # masks of this frame without a track, too small to start one (mask.min_pixels)
     suspicion: Suspicion  # what may be wrong with the last frames' images, depth and times
     suspicion_figure: float  # its size; see Suspicion
+
+
+@dataclass(frozen=True, eq=False)
+class CameraRevision:
+    """An earlier motion of the camera that was wrong, and the right one. Who has used it should use this instead."""
+
+    frame_id: int  # of the frame that the motion led to
+    timestamp: float  # of that frame, seconds
+    T_cur_prev: Floats  # (3, 4), from the frame before that one to it: replaces what was reported then
+    covariance: Floats  # (6, 6), of its left twist, metres and radians
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,7 +123,7 @@ _FLAGS = {"segmented": c.OBJECT_SEGMENTED, "always_dynamic": c.OBJECT_ALWAYS_DYN
 _ENUMS: dict[tuple[type, str], Any] = {(Object, "state"): State, (Object, "last_decided"): State,
                                        (Object, "reason"): Reason, (CameraResult, "status"): CameraStatus,
                                        (CameraResult, "suspicion"): Suspicion}
-_T = TypeVar("_T", Object, CameraResult)
+_T = TypeVar("_T", Object, CameraResult, CameraRevision)
 
 
 def _from_row(kind: Type[_T], row: np.void) -> _T:
@@ -135,6 +148,7 @@ class Result:
     ids: npt.NDArray[np.uint32]  # (h, w), track id a pixel, 0 = background; stable over time
     table: npt.NDArray[np.void]  # (n,) of OBJECT_DTYPE: all live objects, also those without pixels
     _camera: npt.NDArray[np.void]
+    _revised: npt.NDArray[np.void]
 
     @cached_property
     def objects(self) -> tuple[Object, ...]:
@@ -144,6 +158,11 @@ class Result:
     @cached_property
     def camera(self) -> CameraResult:
         return _from_row(CameraResult, self._camera[0])
+
+    @cached_property
+    def revised(self) -> tuple[CameraRevision, ...]:
+        """Earlier frames whose camera motion this frame proved to be wrong, the oldest first; mostly empty."""
+        return tuple(_from_row(CameraRevision, row) for row in self._revised)
 
     @property
     def frame_id(self) -> int:

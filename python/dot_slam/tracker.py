@@ -22,7 +22,7 @@ from ._numbers import in_range, number, whole
 from .enums import Classifier, DepthSource
 from .errors import InvalidArgument, invalid
 from .masks import MasksLike, MaskViews
-from .result import CAMERA_DTYPE, OBJECT_DTYPE, Result
+from .result import CAMERA_DTYPE, OBJECT_DTYPE, REVISION_DTYPE, Result
 
 
 @dataclass(frozen=True)
@@ -194,12 +194,18 @@ class Tracker:
         self._check(lib.dot_copy_ids(handle, *_buffer(ids)))
         self._check(lib.dot_get_camera(handle, camera.ctypes.data))
         self._check(lib.dot_object_count(handle, ctypes.byref(count)))
-        table = np.zeros(count.value, OBJECT_DTYPE)
-        table["struct_size"] = OBJECT_DTYPE.itemsize
-        place = table.ctypes.data
-        for i in range(count.value):
-            self._check(lib.dot_get_object(handle, i, place + i * OBJECT_DTYPE.itemsize))
-        return Result(labels, ids, table, camera)
+        table = self._rows(handle, lib.dot_get_object, count.value, OBJECT_DTYPE)
+        self._check(lib.dot_revision_count(handle, ctypes.byref(count)))
+        revised = self._rows(handle, lib.dot_get_revision, count.value, REVISION_DTYPE)
+        return Result(labels, ids, table, camera, revised)
+
+    def _rows(self, handle: ctypes.c_void_p, get: Any, count: int, dtype: np.dtype[np.void]) -> npt.NDArray[np.void]:
+        rows = np.zeros(count, dtype)
+        rows["struct_size"] = dtype.itemsize
+        place = rows.ctypes.data
+        for i in range(count):
+            self._check(get(handle, i, place + i * dtype.itemsize))
+        return rows
 
     def _check(self, status: int) -> None:
         if status != 0:

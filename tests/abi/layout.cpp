@@ -114,6 +114,7 @@ int main() {
   using View8 = ImageView<const std::uint8_t>;
   using View32 = ImageView<const std::uint32_t>;
   using Objects = Span<ObjectResult>;
+  using Revisions = Span<CameraRevision>;
   using Instances = Span<Instance>;
 
   std::printf("dot::Tracker %zu %zu\n", sizeof(Tracker), alignof(Tracker));
@@ -143,10 +144,12 @@ int main() {
     M(angular_velocity) M(angular_covariance) M(point_speed) M(point_speed_sigma) M(phi) M(disparity_px)
     M(disparity_noise_px) M(entropy) M(range) M(interval) M(n_points) M(n_inliers) M(fused_velocity) M(fused_covariance)
   END
+  BEGIN(Revisions) M(data) M(size) END
+  BEGIN(CameraRevision) M(frame_id) M(timestamp) M(T_cur_prev) M(covariance) END
   BEGIN(Diagnosis) M(reason) M(figure) END
   BEGIN(Result)
-    M(frame_id) M(timestamp) M(interval) M(too_little_depth) M(disparity_bias_px) M(diagnosis) M(camera) M(labels) M(ids)
-    M(objects) M(small_instances) M(stage_ms)
+    M(frame_id) M(timestamp) M(interval) M(too_little_depth) M(disparity_bias_px) M(diagnosis) M(camera) M(revised)
+    M(labels) M(ids) M(objects) M(small_instances) M(stage_ms)
   END
   BEGIN(ExclusionPolicy) M(exclude_not_observable) M(exclude_static) M(dilation) END
 

@@ -99,6 +99,7 @@ static void test_null_tracker(void) {
   uint32_t count;
   dot_object object;
   dot_camera_result camera;
+  dot_camera_revision revision;
   dot_image image;
   uint8_t byte;
   if (s == NULL) exit(1);
@@ -110,6 +111,8 @@ static void test_null_tracker(void) {
   CHECK_INVALID(NULL, dot_object_count(NULL, &count), "tracker is NULL");
   CHECK_INVALID(NULL, dot_get_object(NULL, 0, &object), "tracker is NULL");
   CHECK_INVALID(NULL, dot_get_camera(NULL, &camera), "tracker is NULL");
+  CHECK_INVALID(NULL, dot_revision_count(NULL, &count), "tracker is NULL");
+  CHECK_INVALID(NULL, dot_get_revision(NULL, 0, &revision), "tracker is NULL");
   CHECK_INVALID(NULL, dot_label_image(NULL, &image), "tracker is NULL");
   CHECK_INVALID(NULL, dot_id_image(NULL, &image), "tracker is NULL");
   CHECK_INVALID(NULL, dot_exclusion_mask(NULL, NULL, &byte, 1, 1, 1), "tracker is NULL");
@@ -123,12 +126,14 @@ static void test_no_result(void) {
   uint32_t count = 5;
   dot_object object;
   dot_camera_result camera;
+  dot_camera_revision revision;
   dot_image image;
   int round;
   if (s == NULL || out == NULL) exit(1);
   make_scene(s);
   object.struct_size = sizeof object;
   camera.struct_size = sizeof camera;
+  revision.struct_size = sizeof revision;
   image.struct_size = sizeof image;
   CHECK(strcmp(dot_last_error(tracker), "") == 0);
   for (round = 0; round < 2; ++round) {
@@ -136,6 +141,10 @@ static void test_no_result(void) {
     CHECK(count == 0);
     CHECK(dot_get_object(tracker, 0, &object) == DOT_NO_RESULT);
     CHECK(dot_get_camera(tracker, &camera) == DOT_NO_RESULT);
+    count = 5;
+    CHECK(dot_revision_count(tracker, &count) == DOT_NO_RESULT);
+    CHECK(count == 0);
+    CHECK(dot_get_revision(tracker, 0, &revision) == DOT_NO_RESULT);
     CHECK(dot_label_image(tracker, &image) == DOT_NO_RESULT);
     CHECK(dot_id_image(tracker, &image) == DOT_NO_RESULT);
     CHECK(dot_exclusion_mask(tracker, NULL, out, WIDTH, HEIGHT, WIDTH) == DOT_NO_RESULT);
@@ -331,6 +340,7 @@ static void test_getter_errors(void) {
   uint32_t count = 0;
   dot_object object;
   dot_camera_result camera;
+  dot_camera_revision revision = DOT_CAMERA_REVISION_INIT;
   dot_image image;
   dot_exclusion_policy policy;
   if (s == NULL || out == NULL) exit(1);
@@ -348,6 +358,9 @@ static void test_getter_errors(void) {
   CHECK_INVALID(tracker, dot_get_object(tracker, 0, &object), "out.struct_size");
   object.struct_size = sizeof object + 8;
   CHECK_INVALID(tracker, dot_get_object(tracker, 0, &object), "out.struct_size");
+  CHECK_INVALID(tracker, dot_revision_count(tracker, NULL), "count is NULL");
+  CHECK(dot_revision_count(tracker, &count) == DOT_OK && count == 0);
+  CHECK_INVALID(tracker, dot_get_revision(tracker, 0, &revision), "there are 0 revisions");
   CHECK_INVALID(tracker, dot_get_camera(tracker, NULL), "out is NULL");
   camera.struct_size = 0;
   CHECK_INVALID(tracker, dot_get_camera(tracker, &camera), "out.struct_size");

@@ -27,6 +27,9 @@ static void test_layout(void) {
   CHECK(sizeof(dot_camera_result) == 496 && offsetof(dot_camera_result, masked_share) == 464 &&
         offsetof(dot_camera_result, T_cur_prev) == 40 && offsetof(dot_camera_result, small_instances) == 472 &&
         offsetof(dot_camera_result, suspicion_figure) == 480 && offsetof(dot_camera_result, suspicion) == 488);
+  CHECK(sizeof(dot_camera_revision) == 408 && offsetof(dot_camera_revision, frame_id) == 8 &&
+        offsetof(dot_camera_revision, timestamp) == 16 && offsetof(dot_camera_revision, T_cur_prev) == 24 &&
+        offsetof(dot_camera_revision, covariance) == 120);
   CHECK(sizeof(dot_object) == 816 && offsetof(dot_object, p_moving) == 64 && offsetof(dot_object, T_o) == 72);
   CHECK(offsetof(dot_object, fused_velocity) == 608 && offsetof(dot_object, angular_velocity) == 704);
   CHECK(sizeof(dot_exclusion_policy) == 16);
@@ -112,6 +115,7 @@ static void test_init_macros(void) {
              plain.T_cur_prev[0] = plain.T_cur_prev[5] = plain.T_cur_prev[10] = 1);
   CHECK_INIT(dot_frame, DOT_FRAME_INIT, (void)0);
   CHECK_INIT(dot_camera_result, DOT_CAMERA_RESULT_INIT, (void)0);
+  CHECK_INIT(dot_camera_revision, DOT_CAMERA_REVISION_INIT, (void)0);
   CHECK_INIT(dot_object, DOT_OBJECT_INIT, (void)0);
 #undef CHECK_INIT
 }

@@ -222,6 +222,8 @@ void Session::read_structs(Input& in) {
   object.check(check_status(dot_get_object(tracker_, static_cast<std::uint32_t>(index), object.get()), tracker_));
   Output<dot_camera_result> camera(odd_size(sizeof(dot_camera_result), value));
   camera.check(check_status(dot_get_camera(tracker_, camera.get()), tracker_));
+  Output<dot_camera_revision> revision(odd_size(sizeof(dot_camera_revision), value));
+  revision.check(check_status(dot_get_revision(tracker_, static_cast<std::uint32_t>(index), revision.get()), tracker_));
   Output<dot_options> options(0xa5a5a5a5);
   const std::uint32_t size = odd_size(sizeof(dot_options), value);
   if (check_status(dot_options_init(options.get(), size), dot_create_error()) == DOT_OK)

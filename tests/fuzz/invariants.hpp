@@ -57,6 +57,7 @@ struct Answer {
   dot_status status = DOT_NO_RESULT;
   dot_camera_result camera = DOT_CAMERA_RESULT_INIT;
   std::vector<dot_object> objects;
+  std::vector<dot_camera_revision> revised;
   std::vector<std::uint8_t> labels;
   std::vector<std::uint32_t> ids;
 
@@ -65,7 +66,7 @@ struct Answer {
       return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
     };
     return status == o.status && std::memcmp(&camera, &o.camera, sizeof camera) == 0 && same(objects, o.objects) &&
-           same(labels, o.labels) && same(ids, o.ids);
+           same(revised, o.revised) && same(labels, o.labels) && same(ids, o.ids);
   }
 };
 
@@ -82,6 +83,12 @@ inline Answer read_answer(dot_tracker* tracker, int width, int height) {
   }
   dot_object beyond = DOT_OBJECT_INIT;
   FUZZ_DEMAND(check_status(dot_get_object(tracker, count, &beyond), tracker) == DOT_INVALID_ARGUMENT);
+  FUZZ_DEMAND(check_status(dot_revision_count(tracker, &count), tracker) == DOT_OK);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    dot_camera_revision revision = DOT_CAMERA_REVISION_INIT;
+    FUZZ_DEMAND(check_status(dot_get_revision(tracker, i, &revision), tracker) == DOT_OK);
+    out.revised.push_back(revision);
+  }
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   out.labels.resize(pixels);
   out.ids.resize(pixels);

@@ -25,7 +25,8 @@ def struct(name):
 
 
 @pytest.mark.parametrize("name, dtype", [("dot_object", result.OBJECT_DTYPE),
-                                         ("dot_camera_result", result.CAMERA_DTYPE)])
+                                         ("dot_camera_result", result.CAMERA_DTYPE),
+                                         ("dot_camera_revision", result.REVISION_DTYPE)])
 def test_results(name, dtype):
     def shape(field):
         kind = dtype[field]
@@ -80,7 +81,8 @@ def enum(prefix):
 
 def test_dataclasses_hold_every_field(tracker):
     left_out = {"struct_size", "reserved", "reserved2", "flags"}
-    for kind, dtype in ((dot_slam.Object, result.OBJECT_DTYPE), (dot_slam.CameraResult, result.CAMERA_DTYPE)):
+    for kind, dtype in ((dot_slam.Object, result.OBJECT_DTYPE), (dot_slam.CameraResult, result.CAMERA_DTYPE),
+                        (dot_slam.CameraRevision, result.REVISION_DTYPE)):
         assert {field.name for field in fields(kind)} >= set(dtype.names) - left_out
     last = [track(tracker, i) for i in range(4)][-1]
     assert len(last.objects) == len(last.table) == 2

@@ -289,6 +289,16 @@ typedef struct dot_camera_result {
   uint32_t reserved2;          ///< 0
 } dot_camera_result;
 
+/// An earlier motion of the camera that was wrong, and the right one. A host that has used it should use this instead.
+typedef struct dot_camera_revision {
+  uint32_t struct_size;   ///< sizeof(dot_camera_revision)
+  uint32_t reserved;      ///< 0
+  uint64_t frame_id;      ///< dot_frame.id of the frame that the motion led to
+  double timestamp;       ///< of that frame, seconds
+  double T_cur_prev[12];  ///< from the frame before that one to it: replaces the T_cur_prev that was reported then
+  double covariance[36];  ///< of its left twist [translation; rotation], metres and radians
+} dot_camera_revision;
+
 /// One object in one frame.
 typedef struct dot_object {
   uint32_t struct_size;   ///< sizeof(dot_object)
@@ -369,6 +379,11 @@ typedef void (*dot_log_function)(void* user, uint32_t level, const char* text);
 /// Initial value of a dot_camera_result.
 #define DOT_CAMERA_RESULT_INIT \
   { sizeof(dot_camera_result), 0, 0, 0, 0, 0, 0, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+/// Initial value of a dot_camera_revision.
+#define DOT_CAMERA_REVISION_INIT                     \
+  {                                                  \
+    sizeof(dot_camera_revision), 0, 0, 0, {0}, { 0 } \
+  }
 /// Initial value of a dot_object.
 #define DOT_OBJECT_INIT                                                                                             \
   {                                                                                                                 \
@@ -435,6 +450,13 @@ DOT_API dot_status dot_get_object(dot_tracker* tracker, uint32_t index, dot_obje
 
 /// Copies the camera's part of the last result. Sets all fields of `out` but struct_size.
 DOT_API dot_status dot_get_camera(dot_tracker* tracker, dot_camera_result* out) DOT_NOEXCEPT;
+
+/// Number of earlier frames whose camera motion the last frame proved to be wrong; 0 in nearly all frames.
+DOT_API dot_status dot_revision_count(dot_tracker* tracker, uint32_t* count) DOT_NOEXCEPT;
+
+/// Copies the right motion of one of these frames, the oldest first, 0 <= index < count. Sets all fields of `out` but
+/// struct_size.
+DOT_API dot_status dot_get_revision(dot_tracker* tracker, uint32_t index, dot_camera_revision* out) DOT_NOEXCEPT;
 
 /// View of the label image, DOT_FORMAT_LABEL8, of the frame's size. Its pixels belong to the tracker and are valid
 /// until its next dot_track, dot_reset or dot_destroy.

@@ -5,10 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <map>
 #include <opencv2/core.hpp>
 
 #include "dot/opencv.hpp"
+#include "support/lorry.hpp"
 #include "support/sample.hpp"
 
 namespace {
@@ -60,6 +65,26 @@ TEST(Tasks, Prior) {
   // end of snippet
   EXPECT_EQ((*frame.camera_prior)[11], -0.8);
   EXPECT_EQ(tracker.track(frame).camera.status, dot::CameraStatus::Tracked);
+}
+
+TEST(Tasks, Revised) {
+  dot::Tracker tracker(dot::test::small_camera(), dot::Options{});
+  dot::test::Film<> film = dot::test::behind_a_lorry(dot::test::straight({0, 0, 0}, {0, 0, 3}), 1);
+  std::map<std::uint64_t, double> edges;  // by frame, metres ahead
+  const auto set_edge = [&](std::uint64_t frame_id, const std::array<double, 12>& T_cur_prev,
+                            const std::array<double, 36>& covariance) {
+    edges[frame_id] = -T_cur_prev[11];
+    EXPECT_TRUE(frame_id == 0 || covariance[0] > 0) << frame_id;
+  };
+  for (int i = 0; i < 4; ++i) {
+    const dot::Result& result = film.next(tracker);
+    // snippet: task_revised
+    // end of snippet
+    if (i == 1) {
+      EXPECT_GT(std::abs(edges[1] - 0.3), 0.3) << "the scene is too easy";
+    }
+  }
+  for (const std::uint64_t frame : {1U, 2U, 3U}) EXPECT_NEAR(edges[frame], 0.3, 0.02) << frame;
 }
 
 TEST(Tasks, Why) {

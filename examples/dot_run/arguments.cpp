@@ -22,8 +22,8 @@ Labels the objects of a recorded sequence as static, moving or not observable.
 
 SEQ holds rgb/, depth/ or right/, masks/ and intrinsics.txt, or is a recording of KITTI, Virtual KITTI 2
 or TUM RGB-D, see docs/recordings.md. OUT receives labels/, instances/, camera.txt, objects.csv and
-timing.csv; the tables end in .partial until the last frame is done. At least one of OUT, a player and a
-video must be named.
+timing.csv, and revised.txt if motions of the camera were revised; the tables end in .partial until the
+last frame is done. At least one of OUT, a player and a video must be named.
 
 instead of a run
   --check                   look at the recording, and say what is wrong with its images, depth, masks and times;

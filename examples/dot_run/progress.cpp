@@ -26,12 +26,12 @@ std::string full_path(const std::filesystem::path& path) {
   return std::filesystem::absolute(path).lexically_normal().string();
 }
 
-void print_files(const OutputPaths& output) {
+void print_files(const OutputPaths& output, bool revised) {
   const OutputOptions& results = output.results;
   if (!results.out.empty()) {
     std::printf("results   %s\n", full_path(results.out).c_str());
-    std::printf("          labels/ instances/ %scamera.txt objects.csv timing.csv\n",
-                results.overlay ? "overlay/ " : "");
+    std::printf("          labels/ instances/ %scamera.txt objects.csv %stiming.csv\n",
+                results.overlay ? "overlay/ " : "", revised ? "revised.txt " : "");
   }
   if (!results.masks_out.empty())
     std::printf("masks out %s: mask_dot/ mask_all/\n", full_path(results.masks_out).c_str());
@@ -68,6 +68,7 @@ void Summary::add(const SequenceFrame& frame, const dot::Result& result, double 
   total_ms_.push_back(total_ms);
   if (result.camera.status == dot::CameraStatus::Lost || result.camera.status == dot::CameraStatus::TooLittleDepth)
     ++camera_lost_;
+  revised_ += static_cast<int>(result.revised.size);
   disparity_bias_px_ = result.disparity_bias_px;
   if (const dot::Diagnosis& diagnosis = result.diagnosis; diagnosis.reason != dot::Suspicion::None) {
     ++suspicions_[diagnosis.reason];
@@ -123,6 +124,9 @@ void Summary::print(const OutputPaths& output, const std::string& remarks) const
   std::printf("frames    %d", f.frames);
   if (f.camera_lost > 0) std::printf(", camera motion not found in %d", f.camera_lost);
   std::printf("\n");
+  if (revised_ > 0)
+    std::printf("camera    %d motion%s of the camera %s revised: a later frame showed that %s wrong\n", revised_,
+                revised_ > 1 ? "s" : "", revised_ > 1 ? "were" : "was", revised_ > 1 ? "they were" : "it was");
   print_masks();
   std::printf("%s", remarks.c_str());
   std::printf("objects   %zu: %d moving, %d static, %d never decided (as last decided)\n", last_decided_.size(),
@@ -139,7 +143,7 @@ void Summary::print(const OutputPaths& output, const std::string& remarks) const
   } else
     std::printf("time      %.1f ms (first frame)\n", f.ms_per_frame);
 
-  print_files(output);
+  print_files(output, revised_ > 0);
 }
 
 }  // namespace runner

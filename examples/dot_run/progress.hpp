@@ -54,6 +54,7 @@ class Summary {
   std::map<std::uint32_t, dot::State> last_decided_;  ///< of each object that was ever shown
   std::vector<double> total_ms_;
   int camera_lost_ = 0;
+  int revised_ = 0;                           ///< motions of the camera
   std::map<dot::Suspicion, int> suspicions_;  ///< frames with each
   std::map<dot::Suspicion, double> figures_;  ///< the last one of each
   double disparity_bias_px_ = 0;              ///< in the last frame

@@ -41,7 +41,7 @@ Json list_of(const Outlines& outlines) {
 
 double length(const std::array<double, 3>& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
-Json camera_data(const dot::Result& result) {
+Json camera_data(const dot::Result& result, const FrameDrawing& drawing) {
   const dot::CameraResult& camera = result.camera;
   Json json = Json::object({{"status", dot::to_string(camera.status)}, {"words", in_words(camera.status)}});
   const auto& T = camera.T_cur_prev;
@@ -50,6 +50,15 @@ Json camera_data(const dot::Result& result) {
     set_finite(json, "phi", camera.phi, 3);
     json.set("points", camera.n_points);
     json.set("inliers", camera.n_inliers);
+  }
+  if (!drawing.revised.empty()) {
+    Json revised = Json::array();
+    for (const RevisedMotion& motion : drawing.revised) {
+      Json item = Json::object({{"frame", static_cast<long>(motion.frame_id)}});
+      set_finite(item, "wrong", motion.metres, 3);
+      revised.push(item);
+    }
+    json.set("revised", revised);
   }
   return json;
 }
@@ -110,7 +119,7 @@ Json frame_data(const runner::SequenceFrame& frame, const dot::Result& result, d
   set_finite(json, "time", result.timestamp, 4);
   set_finite(json, "interval", result.interval, 4);
   set_finite(json, "ms", total_ms, 2);
-  json.set("camera", camera_data(result));
+  json.set("camera", camera_data(result, drawing));
   Json objects = Json::array();
   for (const dot::ObjectResult& object : result.objects) objects.push(object_data(object, result, drawing, options));
   json.set("objects", objects);

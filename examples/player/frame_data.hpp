@@ -11,6 +11,7 @@
 #include "dot/pipeline/result.hpp"
 #include "outlines.hpp"
 #include "page/json.hpp"
+#include "revised_motions.hpp"
 #include "sequence/sequence.hpp"
 
 namespace player {
@@ -19,13 +20,15 @@ namespace player {
 struct FrameDrawing {
   std::map<std::uint32_t, Outlines> predicted;             ///< by track id, see MovedOutlines
   std::map<std::uint32_t, std::vector<cv::Point>> points;  ///< by track id, 0 = background, see PointFinder
+  std::vector<RevisedMotion> revised;                      ///< see RevisedMotions
 };
 
 /// A frame as the page reads it. Lengths are in metres, speeds in m/s, times in seconds, places in pixels of the frame.
 /// What was not measured is absent.
 ///
 ///     {"frame": 31, "time": 3.1, "interval": 0.1, "ms": 6.2, "masks": true,
-///      "camera": {"status": "tracked", "words": ".", "speed": 8.1, "phi": 0.97, "points": 1893, "inliers": 1702},
+///      "camera": {"status": "tracked", "words": ".", "speed": 8.1, "phi": 0.97, "points": 1893, "inliers": 1702,
+///                 "revised": [{"frame": 29, "wrong": 0.31}, ...]},
 ///      "objects": [{"id": 5, "state": "moving", "reason": "", "words": "measured", "why": ".", "p": 0.98,
 ///                   "class": 2, "score": 0.9, "segmented": true, "always": true, "discovered": true, "area": 2000,
 ///                   "box": [x, y, width, height], "decided": "moving",
@@ -35,8 +38,9 @@ struct FrameDrawing {
 ///                   "outline": [[x, y, x, y, ...], ...], "predicted": [...], "texture": [x, y, ...]}, ...],
 ///      "network": [[[x, y, ...], ...], ...], "texture": [x, y, ...]}
 ///
+/// `revised` are earlier frames whose camera motion this frame proved to be wrong, by so many metres.
 /// `always`, `discovered` and `turning` (by which the points move faster than with the centroid) are only there if
-/// true, `network` (an outline for each instance) if the frame has masks.
+/// true, `network` (an outline for each instance) if the frame has masks, `revised` if there are any.
 /// @param total_ms time of `track`.
 page::Json frame_data(const runner::SequenceFrame& frame, const dot::Result& result, double total_ms,
                       const FrameDrawing& drawing, const dot::Options& options);

@@ -83,7 +83,8 @@ Player::~Player() {
 }
 
 void Player::add(const runner::SequenceFrame& frame, const dot::Result& result, double total_ms) {
-  const FrameDrawing drawing{moved_outlines_.next(frame, result), point_finder_.find(frame, result)};
+  const FrameDrawing drawing{moved_outlines_.next(frame, result), point_finder_.find(frame, result),
+                             revised_motions_.next(result)};
   file_.stream() << "<script type=\"application/json\" class=\"frame\">";
   frame_data(frame, result, total_ms, drawing, options_).write(file_.stream(), Json::one_line);
   file_.stream() << "</script>\n<script type=\"text/plain\" class=\"jpeg\">" << page::base64(jpeg_of(frame.image))

@@ -12,6 +12,7 @@
 #include "dot/pipeline/result.hpp"
 #include "moved_outlines.hpp"
 #include "point_finder.hpp"
+#include "revised_motions.hpp"
 #include "sequence/output_file.hpp"
 #include "sequence/sequence.hpp"
 
@@ -52,6 +53,7 @@ class Player {
   runner::OutputFile file_;
   MovedOutlines moved_outlines_;
   PointFinder point_finder_;
+  RevisedMotions revised_motions_;
   std::string_view rest_;  ///< of player.html
   bool finished_ = false;
 };

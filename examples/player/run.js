@@ -22,6 +22,13 @@ const run = (() => {
   const masksUsed = (frame) => frame.masks && frame.objects.some((object) => object.segmented);
   const cameraFailed = (frame) => ["lost", "too_little_depth"].includes(frame.camera.status);
 
+  // Camera motions that a later frame proved to be wrong, by the number of their frame: that later frame, and by how many
+  // metres.
+  const revisions = new Map();
+  for (const frame of frames)
+    for (const { frame: number, wrong } of frame.camera.revised || []) revisions.set(number, { by: frame.frame, wrong });
+  const revisionOf = (frame) => revisions.get(frame.frame);
+
   // [first, last] of the frames in a row for which test(frame, i) holds.
   function intervals(test) {
     const found = [];
@@ -50,6 +57,7 @@ const run = (() => {
     track: (id) => tracks.get(id),
     imageOf: (i) => "data:image/jpeg;base64," + jpegs[i].textContent,
     cameraFailed,
+    revisionOf,
     masksUsed,
     intervals,
     inWords,

@@ -23,7 +23,15 @@
   }
 
   addRow("frame", slider);
-  addRow("camera", scrubbed(strip((i) => run.frames[i].camera.status, (i) => run.frames[i].camera.words)));
+  function revisionText(frame) {
+    const revision = run.revisionOf(frame);
+    if (!revision) return "";
+    const size = revision.wrong === undefined ? "" : ` by ${revision.wrong.toFixed(2)} m`;
+    return ` Its motion was revised in frame ${revision.by}: it was wrong${size}.`;
+  }
+  addRow("camera", scrubbed(strip(
+    (i) => run.frames[i].camera.status + (run.revisionOf(run.frames[i]) ? " revised" : ""),
+    (i) => run.frames[i].camera.words + revisionText(run.frames[i]))));
   const maskText = (frame) => !frame.masks ? "No masks came with this frame: earlier ones are carried on."
     : run.masksUsed(frame) ? "The network's masks of this frame are used."
     : "The network's masks of this frame came too late for its result, or show nothing.";
@@ -34,6 +42,9 @@
 
   const lost = run.intervals(run.cameraFailed);
   byId("lost").textContent = lost.length === 0 ? "" : "Camera's motion not found: " + run.inWords(lost) + ".";
+
+  const revised = run.intervals(run.revisionOf);
+  byId("revised").textContent = revised.length === 0 ? "" : "Camera's motion revised later: " + run.inWords(revised) + ".";
 
   byId("title").textContent = run.sequence;
   byId("summary").textContent = run.frames.length === 0 ? "This run has no frames."
@@ -46,6 +57,11 @@
     if (camera.speed !== undefined && !run.cameraFailed(frame)) text += ` Its speed is ${camera.speed.toFixed(1)} m/s.`;
     if (camera.phi !== undefined)
       text += ` ${camera.inliers} of ${camera.points} background points agree, phi ${camera.phi.toFixed(2)}.`;
+    text += revisionText(frame);
+    if (camera.revised) {
+      const corrected = run.intervals((other) => camera.revised.some((item) => item.frame === other.frame));
+      text += ` It shows that the camera's motion in ${run.inWords(corrected)} was wrong.`;
+    }
     return `${text} ${maskText(frame)}`;
   }
 
@@ -56,7 +72,7 @@
     slider.value = view.index;
     byId("frame-title").textContent = `Frame ${frame.frame}, ${frame.time.toFixed(2)} s`;
     byId("camera").textContent = cameraText(frame);
-    byId("camera").className = run.cameraFailed(frame) ? "bad" : "";
+    byId("camera").className = run.cameraFailed(frame) || run.revisionOf(frame) ? "bad" : "";
     if (view.id !== shownId) {
       shownId = view.id;
       const content = shownId === null ? strip(() => "", () => "") : trackStrip(run.track(shownId));

@@ -14,8 +14,9 @@ struct ResultNames {
   static constexpr const char* masks[] = {"mask_dot", "mask_all"};               ///< folders of --masks-out
   static constexpr const char* camera = "camera.txt";
   static constexpr const char* objects = "objects.csv";
-  static constexpr const char* timing = "timing.csv";  ///< the first table to be begun and the last to be complete
-  static constexpr const char* tables[] = {camera, objects, timing};
+  static constexpr const char* revised = "revised.txt";  ///< only if there is something to write
+  static constexpr const char* timing = "timing.csv";    ///< the first table to be begun and the last to be complete
+  static constexpr const char* tables[] = {camera, objects, revised, timing};
 };
 
 /// Makes a folder ready for new results, which must not mix with those of an earlier run. Removed are the record that

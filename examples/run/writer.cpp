@@ -146,6 +146,8 @@ void ResultWriter::write(const SequenceFrame& frame, const dot::Result& result, 
   for (const dot::ObjectResult& object : result.objects) write_object(objects_->stream(), frame.number, object);
   objects_->flush();
 
+  write_revised(result);
+
   timing_->stream() << frame.number;
   for (const double ms : result.stage_ms) timing_->stream() << ',' << ms;
   timing_->stream() << ',' << total_ms << '\n';
@@ -153,6 +155,7 @@ void ResultWriter::write(const SequenceFrame& frame, const dot::Result& result, 
 }
 
 void ResultWriter::finish() {
+  if (revised_) revised_->finish();
   for (std::optional<OutputFile>* const table : {&camera_, &objects_, &timing_}) (*table)->finish();
 }
 
@@ -161,6 +164,20 @@ void ResultWriter::write_images(const SequenceFrame& frame, const dot::Result& r
   write_image(options_.out / "labels" / name, dot::to_mat(result.labels));
   write_image(options_.out / "instances" / name, ids_16_bit(result));
   if (options_.overlay) write_image(options_.out / "overlay" / name, draw_overlay(frame, result, total_ms));
+}
+
+void ResultWriter::write_revised(const dot::Result& result) {
+  if (result.revised.empty()) return;
+  if (!revised_) {
+    revised_.emplace(options_.out / ResultNames::revised);
+    revised_->stream() << std::setprecision(15);
+  }
+  for (const dot::CameraRevision& revision : result.revised) {
+    revised_->stream() << revision.frame_id;
+    for (const double element : revision.T_cur_prev) revised_->stream() << ' ' << element;
+    revised_->stream() << '\n';
+  }
+  revised_->flush();
 }
 
 void ResultWriter::write_masks(const SequenceFrame& frame, const dot::Result& result) {

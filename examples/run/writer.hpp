@@ -39,11 +39,13 @@ class ResultWriter {
 
  private:
   void write_images(const SequenceFrame& frame, const dot::Result& result, double total_ms);
+  void write_revised(const dot::Result& result);
   void write_masks(const SequenceFrame& frame, const dot::Result& result);
 
   OutputOptions options_;
   std::optional<OutputFile> camera_;
   std::optional<OutputFile> objects_;
+  std::optional<OutputFile> revised_;  ///< made with its first line
   std::optional<OutputFile> timing_;
   dot::SE3d T_world_camera_;
   dot::Image<std::uint8_t> exclusion_;

@@ -22,7 +22,7 @@ from .writer import ResultWriter
 def _arguments(values: Items[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m dot_slam", description=__doc__.split(":")[0] + ".", epilog="""
         SEQ holds rgb/, depth/, masks/ and intrinsics.txt. OUT receives labels/ (0 background, 1 static, 2 moving, 3 not
-        observable), instances/ (track ids), camera.txt and objects.csv, as of dot_run.""")
+        observable), instances/ (track ids), camera.txt, objects.csv and revised.txt, as of dot_run.""")
     parser.add_argument("sequence", metavar="SEQ", type=Path)
     parser.add_argument("--out", metavar="OUT", type=Path, help="folder for the results")
     parser.add_argument("--check", action="store_true",

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from pathlib import Path
 from types import TracebackType
-from typing import Iterator, Type
+from typing import Iterator, TextIO, Type
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from .enums import Reason, State
 from .result import Object, Result
 from .sequence import FileError, write_png
 
-_FOLDERS, _TABLES = ("labels", "instances"), ("camera.txt", "objects.csv")
+_FOLDERS, _TABLES, _REVISED = ("labels", "instances"), ("camera.txt", "objects.csv"), "revised.txt"
 _COLUMNS = ("frame,track_id,state,speed_mps,p_moving,disparity_px,entropy,phi,n_points,vx,vy,vz,sigma_vx,sigma_vy,"
             "sigma_vz,T00,T01,T02,T03,T10,T11,T12,T13,T20,T21,T22,T23,reason,n_inliers,disparity_noise_px,range_m,"
             "interval_s,fused_vx,fused_vy,fused_vz,sigma_fused_vx,sigma_fused_vy,sigma_fused_vz,pixels,class,"
@@ -23,17 +23,19 @@ _STATES = {state: state.name.lower() for state in State} | {State.NOT_OBSERVABLE
 
 
 class ResultWriter:
-    """labels/ and instances/ frame by frame; camera.txt and objects.csv, which end in .partial until all is done."""
+    """labels/ and instances/ frame by frame; camera.txt and objects.csv, which end in .partial until all is done.
+
+    revised.txt likewise, if there are motions of the camera that were wrong.
+    """
 
     def __init__(self, out: Path) -> None:
-        for path in (*(out / name for name in _TABLES), *(out / name for name in _FOLDERS)):
+        for path in (out / name for name in (*_TABLES, _REVISED, *_FOLDERS)):
             if path.is_file() or (path.is_dir() and any(path.iterdir())):
                 raise FileError(f"{path}: is there already; remove it, or name another folder")
         for name in _FOLDERS:
             (out / name).mkdir(parents=True, exist_ok=True)
         self._out = out
-        self._tables = {name: open(out / f"{name}.partial", "w", encoding="ascii", newline="\n")
-                        for name in _TABLES}
+        self._tables = {name: self._open(name) for name in _TABLES}
         self._tables["objects.csv"].write(_COLUMNS + "\n")
         self._T_world_camera = np.eye(4)
 
@@ -46,6 +48,15 @@ class ResultWriter:
         self._tables["camera.txt"].write(" ".join(f"{v:.15g}" for v in self._T_world_camera[:3].flat) + "\n")
         for item in result.objects:
             self._tables["objects.csv"].write(",".join(_row(number, item)) + "\n")
+
+        if result.revised and _REVISED not in self._tables:
+            self._tables[_REVISED] = self._open(_REVISED)
+        for revision in result.revised:
+            numbers = " ".join(f"{v:.15g}" for v in revision.T_cur_prev.flat)
+            self._tables[_REVISED].write(f"{revision.frame_id} {numbers}\n")
+
+    def _open(self, name: str) -> TextIO:
+        return open(self._out / f"{name}.partial", "w", encoding="ascii", newline="\n")
 
     def finish(self) -> None:
         """After the last frame: the tables are complete."""

@@ -114,6 +114,20 @@ TEST(FrameData, WhatWasNotMeasuredIsAbsent) {
     EXPECT_FALSE(is_there(o, name)) << name;
 }
 
+TEST(FrameData, OfRevisedMotions) {
+  const HandMadeResult nothing(frame_size);
+  FrameDrawing drawing;
+  EXPECT_FALSE(is_there(parsed(frame_data(wall(3), tracked(nothing), 1, drawing, {}))["camera"], "revised"));
+  drawing.revised = {{1, 0.31}, {2, std::numeric_limits<double>::quiet_NaN()}};
+  const cv::FileStorage data = parsed(frame_data(wall(3), tracked(nothing), 1, drawing, {}));
+  const cv::FileNode revised = data["camera"]["revised"];
+  ASSERT_EQ(revised.size(), 2U);
+  EXPECT_EQ(static_cast<int>(revised[0]["frame"]), 1);
+  EXPECT_DOUBLE_EQ(revised[0]["wrong"].real(), 0.31);
+  EXPECT_EQ(static_cast<int>(revised[1]["frame"]), 2);
+  EXPECT_FALSE(is_there(revised[1], "wrong"));
+}
+
 TEST(FrameData, OfAnObjectThatTurns) {
   HandMadeResult hand_made(frame_size);
   dot::ObjectResult& object = add_measured(hand_made, 4, dot::State::Moving, {40, 30, 20, 16});

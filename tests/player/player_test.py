@@ -271,6 +271,8 @@ class Whole(unittest.TestCase):
         self.assertEqual(self.browser.value("document.getElementById('camera').className"), "bad")
         self.assertIn("not found", self.browser.text("#camera"))
         self.assertTrue(any(o["words"] == "the camera's motion was not found" for o in self.data[LOST]["objects"]))
+        self.assertEqual(self.browser.text("#revised"), "", "the data")
+        self.assertEqual(self.count("#timeline rect.revised"), 0)
 
     def test_play_and_pause(self):
         self.browser.value("document.getElementById('rate').value = '2'")
@@ -381,6 +383,39 @@ class Small(unittest.TestCase):
         tops = browser.value("['points', 'limit', 'fused'].map(kind => "
                              "document.querySelector('#plot-speed polyline.' + kind).points[0].y)")
         self.assertEqual(sorted(tops), tops, "the points are the fastest")
+        self.assertEqual(browser.complaints, [])
+
+    def test_revised_motions(self):
+        """Frame 3 shows that the motions of frames 1 and 2 were wrong."""
+        page = page_of("one", 6)
+
+        def revise(match):
+            frame = json.loads(match.group(2))
+            self.assertNotIn("revised", frame["camera"], "the data")
+            if frame["frame"] == 3:
+                frame["camera"]["revised"] = [{"frame": 1, "wrong": 0.314}, {"frame": 2, "wrong": 0.297}]
+            return match.group(1) + json.dumps(frame) + match.group(3)
+
+        edit_page(page, r'(<script type="application/json" class="frame">)(.*?)(</script>)', revise)
+        browser = self.look_at(page)
+        self.assertEqual(browser.text("#revised"), "Camera's motion revised later: frames 1 to 2.")
+        marks = browser.value("[...document.querySelectorAll('#timeline rect.revised')].map(r => "
+                              "[r.x.baseVal.value, r.width.baseVal.value, r.textContent])")
+        self.assertEqual([mark[:2] for mark in marks], [[1, 1], [2, 1]])
+        self.assertIn("was revised in frame 3: it was wrong by 0.31 m.", marks[0][2])
+        said = []
+        for _ in range(6):
+            said.append((browser.text("#camera"), browser.value("document.getElementById('camera').className")))
+            browser.key("ArrowRight")
+        for number, wrong in ((1, "0.31"), (2, "0.30")):
+            self.assertIn(f"Its motion was revised in frame 3: it was wrong by {wrong} m.", said[number][0])
+        self.assertIn("It shows that the camera's motion in frames 1 to 2 was wrong.", said[3][0])
+        self.assertEqual([name for _, name in said], ["", "bad", "bad", "", "", ""])
+        for number in (0, 4, 5):
+            self.assertNotIn("wrong", said[number][0])
+        browser.key("Home")
+        browser.key("ArrowRight")
+        browser.picture(f"{OUT}/revised.png")
         self.assertEqual(browser.complaints, [])
 
     def test_late_masks(self):

@@ -24,7 +24,8 @@ struct CameraSearch {
     int rounds;          ///< of the refinement about each of them
     int points;          ///< that refine, roughly
   };
-  static constexpr Effort kThorough{8, 2, 350}, kBrief{4, 1, 250};
+  static constexpr Effort kThorough{8, 2, 350};  ///< of all points
+  static constexpr Effort kBrief{4, 1, 250};     ///< of those that a motion found before does not explain
 
   double metres = 0;      ///< largest expected translation of the camera
   double radians = 0;     ///< largest expected rotation of the camera

@@ -52,10 +52,8 @@ class FirstIntervals {
   /// to `revised`, the oldest first. @param step the newest interval, which is known.
   template <typename Camera, typename Aligner>
   void revise(const CameraStep& step, const Camera& camera, const CameraMotionEstimator& estimator, Aligner& aligner,
-              MinimaWorkspace& workspace, std::vector<RevisedInterval>& revised) const {
+              MinimaWorkspace& workspace, std::vector<RevisedInterval>& revised) {
     const std::vector<const PointSet*> no_objects;
-    std::vector<SE3d> starts(1);
-    PointSet points;
     Vector6<double> velocity = step.T_cur_prev.log() / step.seconds;
     for (std::size_t i = intervals_.size(); i-- > 0 && intervals_[i].cur;) {
       const Interval& past = intervals_[i];
@@ -68,11 +66,12 @@ class FirstIntervals {
       const Alignment& wrong = past.step.alignment;
       SecondMotion::take_unexplained(AlignProblem<Camera>{past.points, past.cur->pyramid, camera}, wrong.state, 0,
                                      wrong.sigma_intensity, aligner, workspace);
-      std::swap(points, workspace.unexplained);
-      starts.front() = expected * past.T_prev_points;
+      std::swap(unexplained_, workspace.unexplained);
+      if (unexplained_.size() < estimator.settings.min_points) return;
+      starts_.assign(1, expected * past.T_prev_points);
       RevisedInterval again{past.cur->id, past.cur->timestamp, past.step};
       Alignment& a = again.step.alignment;
-      a = estimator.estimate(points, past.cur->pyramid, camera, starts, nullptr,
+      a = estimator.estimate(unexplained_, past.cur->pyramid, camera, starts_, nullptr,
                              {no_objects, past.T_prev_points.inverse(), reach}, aligner, workspace);
       again.step.T_cur_prev = a.state.T * past.T_prev_points.inverse();
       again.step.covariance = estimator.settings.covariance_scale * a.covariance.template topLeftCorner<6, 6>();
@@ -94,6 +93,8 @@ class FirstIntervals {
   };
 
   RecyclingList<Interval> intervals_;  ///< oldest first
+  PointSet unexplained_;
+  std::vector<SE3d> starts_;
 };
 
 DOT_END_NAMESPACE

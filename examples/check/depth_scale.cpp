@@ -147,7 +147,6 @@ Findings check_depth_scale(const Samples& samples) {
     return {fine("depth-unit", 1, "times too far", "The depth is computed from the pair of images, in metres."),
             unknown("focal-baseline", "The depth is computed with them, and fits whatever they are.")};
   if (!(fx_baseline > 0)) return judge_plausibility(samples);
-  // From the widest steps on: multiples of a line are lines, too.
   const double stated = samples.recording.depth_units_per_metre;
   std::vector<double> places(other_steps.begin(), other_steps.end());
   for (const double steps : steps_per_pixel) {
@@ -155,11 +154,20 @@ Findings check_depth_scale(const Samples& samples) {
     for (const DepthUnit& unit : depth_units) places.push_back(steps * too_far(unit, stated));
   }
   std::sort(places.begin(), places.end());
-  constexpr double clear = 0.3;
+  constexpr double clear = 0.3, of_best = 0.7;
+  std::vector<Comb> combs;
+  double best = 0;
   for (const double place : places)
     if (const auto comb = line_near(samples, place, fx_baseline);
-        comb && comb->coherence > std::max(clear, comb->by_chance))
-      if (auto findings = judge(*comb, stated)) return *std::move(findings);
+        comb && comb->coherence > std::max(clear, comb->by_chance)) {
+      combs.push_back(*comb);
+      best = std::max(best, comb->coherence);
+    }
+  // From the widest steps on: multiples of a line are lines, too. The rounding of the file makes lines, but weaker
+  // ones.
+  for (const Comb& comb : combs)
+    if (comb.coherence > of_best * best)
+      if (auto findings = judge(comb, stated)) return *std::move(findings);
   return judge_plausibility(samples);
 }
 

@@ -15,7 +15,12 @@ namespace fs = std::filesystem;
 
 class VideoReaderTest : public ::testing::Test {
  protected:
-  VideoReaderTest() : path_(fs::temp_directory_path() / "dot_video_reader.avi") { fs::remove(path_); }
+  // A name of its own for each test, because they run side by side.
+  VideoReaderTest()
+      : path_(fs::temp_directory_path() / (std::string("dot_video_reader_") +
+                                           ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".avi")) {
+    fs::remove(path_);
+  }
   ~VideoReaderTest() override { fs::remove(path_); }
 
   fs::path path_;

@@ -56,9 +56,11 @@ dot::test::Scene covered_scene(double share, double time, const dot::Pinhole& ca
   dot::test::Scene scene = wall(shortest);
   const double width = camera.width() * kDepth / camera.intrinsics().fx / 4;
   const double height = camera.height() * kDepth / camera.intrinsics().fy / 2, side = std::sqrt(share) / 2;
-  for (int i = 0; i < 8; ++i)
+  for (int i = 0; i < 8; ++i) {
+    const int column = i % 4, row = i / 4;
     add_box(scene, i, {side * width, side * height, 0.1},
-            {(i % 4 - 1.5) * width, (i / 4 - 0.5) * height, kDepth + 0.1 + (i % 2 ? 0.5 * time : 0)}, shortest);
+            {(column - 1.5) * width, (row - 0.5) * height, kDepth + 0.1 + (i % 2 ? 0.5 * time : 0)}, shortest);
+  }
   return scene;
 }
 

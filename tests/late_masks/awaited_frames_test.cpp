@@ -97,10 +97,10 @@ TEST(AwaitedFrames, AreMovedByRevisedSteps) {
     return step;
   };
   AwaitedFrames kept;
-  for (int i = 0; i < 3; ++i) {
+  for (std::uint64_t i = 0; i < 3; ++i) {
     const CameraStep step = step_by(1);
     kept.advance(step);
-    kept.add(frame(static_cast<std::uint64_t>(10 + i), i), step, 10, 10);
+    kept.add(frame(10 + i, static_cast<double>(i)), step, 10, 10);
   }
   CameraStep right = step_by(-2);
   right.covariance *= 0.25;

@@ -9,15 +9,20 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 #include "dot/tracker.hpp"
+#include "support/exact_points.hpp"
 #include "support/lorry.hpp"
+#include "support/stage_film.hpp"
 
 namespace {
 
 using dot::CameraRevision;
 using dot::ObjectResult;
 using dot::Options;
+using dot::PointSet;
 using dot::Result;
 using dot::SE3d;
 using dot::State;
@@ -88,6 +93,58 @@ TEST(RightFirstMotion, IsNotRevised) {
       }
     }
   }
+}
+
+/// Two intervals behind the lorry, which is part of the background. Their motions are measured by all points, by those
+/// beside the lorry or by those on it.
+struct TwoIntervals : StageFilm {
+  enum class By { Lorry, Rest };
+  dot::CameraMotionEstimator estimator;
+  dot::DirectAligner<> aligner;
+  dot::MinimaWorkspace workspace;
+  dot::FirstIntervals intervals;
+
+  TwoIntervals() : StageFilm(behind_a_lorry(straight({0, 0, 0}, {0, 0, 3}), 0)) { advance(); }
+
+  /// The points of the present frame.
+  PointSet points(const std::function<bool(std::uint32_t)>& accept) const {
+    return exact_points(
+        film.truth(), camera, cur->pyramid, 4, [&](int x, int y) { return accept(film.truth().ids(x, y)); }, 0.001f);
+  }
+
+  /// The next frame, and the step to it.
+  dot::CameraStep next(By by, dot::Background& background) {
+    background = {};
+    background.points = points([](std::uint32_t) { return true; });
+    const PointSet measured = points([by](std::uint32_t id) { return (id == kLorry) == (by == By::Lorry); });
+    advance();
+    const std::vector<const PointSet*> no_objects;
+    dot::CameraStep step = camera_step;
+    const SE3d T_o = by == By::Lorry ? film.T_o(kLorry) : SE3d{};
+    step.alignment = estimator.estimate(measured, cur->pyramid, camera, {film.T_c() * T_o}, nullptr, {no_objects, {}},
+                                        aligner, workspace);
+    step.status = dot::CameraStatus::Tracked;
+    step.T_cur_prev = step.alignment.state.T;
+    return step;
+  }
+
+  std::vector<dot::RevisedInterval> revised(By first, By second) {
+    dot::Background background;
+    const dot::CameraStep one = next(first, background);
+    intervals.add(background, one, true);
+    intervals.keep_frame(cur);
+    const dot::CameraStep two = next(second, background);
+    std::vector<dot::RevisedInterval> out;
+    intervals.revise(background, *cur, two, camera, estimator, aligner, workspace, out);
+    return out;
+  }
+};
+
+// Two velocities that contradict each other, and some of the background moves at the first one in both intervals: it is
+// not certain which of them is the wrong one.
+TEST(FirstIntervals, AreNotRevisedWhereTheNewestMotionMayBeTheWrongOne) {
+  EXPECT_TRUE(TwoIntervals{}.revised(TwoIntervals::By::Rest, TwoIntervals::By::Lorry).empty());
+  EXPECT_TRUE(TwoIntervals{}.revised(TwoIntervals::By::Lorry, TwoIntervals::By::Rest).empty());
 }
 
 }  // namespace

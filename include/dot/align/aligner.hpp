@@ -27,12 +27,11 @@ struct DirectAligner {
   /// Refines `start` over the levels coarsest..finest.
   template <typename Camera>
   Alignment align(const AlignProblem<Camera>& problem, const AlignState& start, int coarsest, int finest = 0) {
-    return align(problem, start, coarsest, finest, true);
-  }
-  /// The same without the covariance, for a place that is aligned again.
-  template <typename Camera>
-  Alignment find_minimum(const AlignProblem<Camera>& problem, const AlignState& start, int coarsest, int finest) {
-    return align(problem, start, coarsest, finest, false);
+    Alignment a;
+    a.state = start;
+    excluded_.assign(static_cast<std::size_t>(problem.points.size()), 0);
+    for (int level = coarsest; level >= finest; --level) refine(problem, level, a, level == finest);
+    return a;
   }
 
   /// Refines `start` on one level by the points that fit it, like a redescending cost. The minimum of these points may
@@ -215,16 +214,6 @@ struct DirectAligner {
   }
   static void turn(const Matrix3<double>& R, Vector8& g) {
     for (const int k : {0, 3}) g.segment<3>(k) = (R.transpose() * g.segment<3>(k)).eval();
-  }
-
-  template <typename Camera>
-  Alignment align(const AlignProblem<Camera>& problem, const AlignState& start, int coarsest, int finest,
-                  bool want_covariance) {
-    Alignment a;
-    a.state = start;
-    excluded_.assign(static_cast<std::size_t>(problem.points.size()), 0);
-    for (int level = coarsest; level >= finest; --level) refine(problem, level, a, want_covariance && level == finest);
-    return a;
   }
 
   /// Gauss-Newton on one level. On level 0 it is repeated if the first round changed the residual scale or did not

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "dot/camera_motion/background.hpp"
@@ -49,36 +50,27 @@ class FirstIntervals {
   }
 
   /// Aligns the intervals that contradict the newest one again, and adds those that have a motion that agrees with it
-  /// to `revised`, the oldest first. @param step the newest interval, which is known.
+  /// to `revised`, the oldest first. None is revised if some of the background still moves as before: then the newest
+  /// motion may be the wrong one.
+  /// @param background the points of the newest interval. @param cur it leads to. @param step it, which is known.
   template <typename Camera, typename Aligner>
-  void revise(const CameraStep& step, const Camera& camera, const CameraMotionEstimator& estimator, Aligner& aligner,
-              MinimaWorkspace& workspace, std::vector<RevisedInterval>& revised) {
-    const std::vector<const PointSet*> no_objects;
-    Vector6<double> velocity = step.T_cur_prev.log() / step.seconds;
-    for (std::size_t i = intervals_.size(); i-- > 0 && intervals_[i].cur;) {
+  void revise(const Background& background, const FrameData& cur, const CameraStep& step, const Camera& camera,
+              const CameraMotionEstimator& estimator, Aligner& aligner, MinimaWorkspace& workspace,
+              std::vector<RevisedInterval>& revised) {
+    const auto contradicts = [&](const CameraStep& one, const CameraStep& other) {
+      return (one.T_cur_prev.t - motion_at_velocity_of(other, one.seconds).t).norm() > estimator.reach(one.seconds);
+    };
+    CameraStep next = step;
+    for (std::size_t i = intervals_.size(); i-- > 0 && intervals_[i].cur && contradicts(intervals_[i].step, next);) {
       const Interval& past = intervals_[i];
-      const SE3d expected = SE3d::exp(velocity * past.step.seconds);
-      const double reach = estimator.reach(past.step.seconds);
-      const auto agrees = [&](const SE3d& T) { return (T.t - expected.t).norm() <= reach; };
-      if (agrees(past.step.T_cur_prev)) return;
-
-      // By the points that the wrong motion does not explain: with the others its minimum would be found again.
-      const Alignment& wrong = past.step.alignment;
-      SecondMotion::take_unexplained(AlignProblem<Camera>{past.points, past.cur->pyramid, camera}, wrong.state, 0,
-                                     wrong.sigma_intensity, aligner, workspace);
-      std::swap(unexplained_, workspace.unexplained);
-      if (unexplained_.size() < estimator.settings.min_points) return;
-      starts_.assign(1, expected * past.T_prev_points);
-      RevisedInterval again{past.cur->id, past.cur->timestamp, past.step};
-      Alignment& a = again.step.alignment;
-      a = estimator.estimate(unexplained_, past.cur->pyramid, camera, starts_, nullptr,
-                             {no_objects, past.T_prev_points.inverse(), reach}, aligner, workspace);
-      again.step.T_cur_prev = a.state.T * past.T_prev_points.inverse();
-      again.step.covariance = estimator.settings.covariance_scale * a.covariance.template topLeftCorner<6, 6>();
-      const bool explains_much = a.inliers >= SecondMotion::kMinShare * wrong.seen;
-      if (!explains_much || !estimator.accepts(a, false) || !agrees(again.step.T_cur_prev)) return;
-      velocity = again.step.T_cur_prev.log() / past.step.seconds;
-      revised.insert(revised.begin(), again);
+      if (revised.empty() && other_motion(AlignProblem<Camera>{background.points, cur.pyramid, camera},
+                                          background.T_now_points, step, past.step, estimator, aligner, workspace))
+        return;
+      const auto right = other_motion(AlignProblem<Camera>{past.points, past.cur->pyramid, camera}, past.T_prev_points,
+                                      past.step, next, estimator, aligner, workspace);
+      if (!right) return;
+      next = *right;
+      revised.insert(revised.begin(), {past.cur->id, past.cur->timestamp, next});
     }
   }
 
@@ -91,6 +83,38 @@ class FirstIntervals {
     CameraStep step;
     FramePtr cur;  ///< the frame that it leads to
   };
+
+  static SE3d motion_at_velocity_of(const CameraStep& step, double seconds) {
+    return SE3d::exp(step.T_cur_prev.log() * (seconds / step.seconds));
+  }
+
+  /// The motion, at about the velocity of another interval, of the points that the motion found for an interval does
+  /// not explain. With all points the motion that was found would be found again.
+  /// @param problem the interval's points and image. @param T_prev_points from the points' frame to its beginning.
+  template <typename Camera, typename Aligner>
+  std::optional<CameraStep> other_motion(const AlignProblem<Camera>& problem, const SE3d& T_prev_points,
+                                         const CameraStep& found, const CameraStep& other,
+                                         const CameraMotionEstimator& estimator, Aligner& aligner,
+                                         MinimaWorkspace& workspace) {
+    SecondMotion::take_unexplained(problem, found.alignment.state, 0, found.alignment.sigma_intensity, aligner,
+                                   workspace);
+    std::swap(unexplained_, workspace.unexplained);
+    if (unexplained_.size() < estimator.settings.min_points) return std::nullopt;
+    const SE3d expected = motion_at_velocity_of(other, found.seconds);
+    const double reach = estimator.reach(found.seconds);
+    starts_.assign(1, expected * T_prev_points);
+    const std::vector<const PointSet*> no_objects;
+    CameraStep step = found;
+    Alignment& a = step.alignment;
+    a = estimator.estimate(unexplained_, problem.image, problem.camera, starts_, nullptr,
+                           {no_objects, T_prev_points.inverse(), reach}, aligner, workspace);
+    step.T_cur_prev = a.state.T * T_prev_points.inverse();
+    step.covariance = estimator.settings.covariance_scale * a.covariance.template topLeftCorner<6, 6>();
+    const bool explains_much = a.inliers >= SecondMotion::kMinShare * found.alignment.seen;
+    if (!explains_much || !estimator.accepts(a, false) || (step.T_cur_prev.t - expected.t).norm() > reach)
+      return std::nullopt;
+    return step;
+  }
 
   RecyclingList<Interval> intervals_;  ///< oldest first
   PointSet unexplained_;

@@ -78,8 +78,8 @@ struct ObjectMotionEstimator {
     Minima& minima = workspace.minima;
     minima.found.clear();
     for (std::size_t i = 0; i < count; ++i)
-      minima.add(problem, aligner.find_minimum(
-                              problem, {problem.T_outer * starts[i], pair.camera.gain, pair.camera.offset}, top, fine));
+      minima.add(problem, aligner.align(problem, {problem.T_outer * starts[i], pair.camera.gain, pair.camera.offset},
+                                        top, fine));
     std::vector<Alignment>& candidates = minima.found;
     // A few points may agree by chance, and then better than any other minimum.
     const auto sees_few = [&](const Alignment& a) {
@@ -87,7 +87,7 @@ struct ObjectMotionEstimator {
     };
     minima.drop_if(sees_few);
     if (fine > 0)
-      for (Alignment& a : candidates) a = aligner.find_minimum(problem, a.state, 0, 0);
+      for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);
     rank(problem, candidates, aligner, workspace);
     // Takes the best minimum that passes the checks. If none does, the best of all gives the reason.
     out.reason = Reason::LeavesImage;

@@ -44,7 +44,7 @@ struct ObjectMotion {
 
   /// Forgets all motions, and the references before a time, because the camera's motion since them was wrong.
   void forget_before(double time) {
-    while (!references.empty() && references.back().timestamp < time) references.pop_back();
+    drop_older_references(time, 0);
     path.clear();
     has_T_o_now = false;
     doubted_at = -std::numeric_limits<double>::infinity();

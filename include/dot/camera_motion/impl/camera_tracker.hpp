@@ -40,7 +40,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   if (step.status != CameraStatus::Tracked || background_.guessed) {
     first_intervals_.clear();
   } else {
-    first_intervals_.revise(step, camera, estimator, aligner, workspace, revised_);
+    first_intervals_.revise(background_, cur, step, camera, estimator, aligner, workspace, revised_);
     first_intervals_.add(background_, step, searched || !revised_.empty());
   }
   velocity_known_ = step.known();

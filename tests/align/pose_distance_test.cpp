@@ -57,4 +57,14 @@ TEST(PoseDistance, IsInfiniteWhereNothingIsSeen) {
   EXPECT_TRUE(std::isinf(pose_distance(PointSet{}, camera, SE3d{}, SE3d{})));
 }
 
+TEST(PoseDistance, IsNotMeasuredToItsEndAboveALimit) {
+  const SE3d shifted = SE3d::translation(Vector3<double>(0.1, 0, 0));  // by 4 pixels
+  const PointSet points = points_at(5, 5);
+  EXPECT_EQ(pose_distance(points, camera, SE3d{}, shifted, 4.1), pose_distance(points, camera, SE3d{}, shifted));
+  EXPECT_TRUE(std::isinf(pose_distance(points, camera, SE3d{}, shifted, 3.9)));
+  EXPECT_TRUE(is_near(points, camera, SE3d{}, shifted, 4.1));
+  EXPECT_FALSE(is_near(points, camera, SE3d{}, shifted, 3.9));
+  EXPECT_FALSE(is_near(PointSet{}, camera, SE3d{}, SE3d{}, 1));
+}
+
 }  // namespace

@@ -11,6 +11,9 @@ struct AlignState {
   SE3d T;             ///< T_i_j of the points
   double gain = 1;    ///< a
   double offset = 0;  ///< b, grey values
+
+  /// The same exposure at another pose.
+  AlignState at(const SE3d& other) const { return {other, gain, offset}; }
 };
 
 DOT_END_NAMESPACE

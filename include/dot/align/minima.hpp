@@ -37,9 +37,9 @@ void find_minima(int n, Cost&& cost, Found&& found) {
   }
 }
 
-/// Local minima found from several starts. Minima within `kSamePixels` of each other count as one.
+/// Local minima found from several starts.
 struct Minima {
-  static constexpr double kSamePixels = 0.1;  ///< median distance of the points in the image
+  static constexpr double kSamePixels = 0.1;  ///< distance of the points in the image up to which two minima are one
   std::vector<Alignment> found;               ///< in the order of their finding
 
   /// Drops the minima for which `condition` holds, unless it holds for all.
@@ -48,11 +48,12 @@ struct Minima {
     if (!std::all_of(found.begin(), found.end(), condition))
       found.erase(std::remove_if(found.begin(), found.end(), condition), found.end());
   }
+  /// @param same_pixels distance up to which it counts as one with another minimum.
   /// @return whether it was a new minimum.
   template <typename Camera>
-  bool add(const AlignProblem<Camera>& problem, const Alignment& a) {
+  bool add(const AlignProblem<Camera>& problem, const Alignment& a, double same_pixels = kSamePixels) {
     for (const Alignment& other : found)
-      if (pose_distance(problem.points, problem.camera, a.state.T, other.state.T) < kSamePixels) return false;
+      if (is_near(problem.points, problem.camera, a.state.T, other.state.T, same_pixels)) return false;
     found.push_back(a);
     return true;
   }
@@ -62,7 +63,6 @@ struct Minima {
 struct MinimaWorkspace {
   Minima minima;                                       ///< found so far
   std::vector<AlignState> starts;                      ///< places to align from
-  std::vector<AlignState> near;                        ///< close to a minimum, for fine levels only
   std::vector<std::pair<double, AlignState>> tried;    ///< with their costs
   std::vector<std::pair<double, AlignState>> turns;    ///< rotations that fit distant points, with their costs
   PointCosts costs;                                    ///< of the places in comparison
@@ -70,6 +70,7 @@ struct MinimaWorkspace {
   std::vector<Alignment> kept;                         ///< minima that the motion is chosen among
   std::vector<float> depths;                           ///< of the points, to sort them
   PointSet few;                                        ///< a part of the points, to rank many places
+  PointSet part;                                       ///< a part of these, to rank more places
   PointSet distant;                                    ///< points at infinity
   PointSet unexplained;                                ///< the points that another motion does not explain
   std::vector<float> point_costs;                      ///< of each point at one place

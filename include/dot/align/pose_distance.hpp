@@ -13,10 +13,13 @@ DOT_BEGIN_NAMESPACE
 
 /// RMS distance in pixels between the projections of the points under two poses T_i_j. Only points inside the image
 /// under at least one pose count, and about 40 of them are enough. Infinite if such a point is behind the camera under
-/// the other pose, or if there is no such point.
+/// the other pose, if there is no such point, and where the distance is certainly above `limit`.
 template <typename Camera>
-double pose_distance(const PointSet& points, const Camera& camera, const SE3d& a, const SE3d& b) {
-  const std::size_t n = points.u.size(), step = std::max<std::size_t>(1, n / 40);
+double pose_distance(const PointSet& points, const Camera& camera, const SE3d& a, const SE3d& b,
+                     double limit = std::numeric_limits<double>::infinity()) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::size_t n = points.u.size(), step = std::max<std::size_t>(1, n / 40), all = (n + step - 1) / step;
+  const double largest_sum = limit * limit * static_cast<double>(all);
   double sum = 0;
   int count = 0;
   for (std::size_t i = 0; i < n; i += step) {
@@ -27,11 +30,18 @@ double pose_distance(const PointSet& points, const Camera& camera, const SE3d& a
     const Vector2<double> p = before_a ? camera.template project<double>(A) : Vector2<double>::Constant(-1);
     const Vector2<double> r = before_b ? camera.template project<double>(B) : Vector2<double>::Constant(-1);
     if (!camera.contains(p, 0) && !camera.contains(r, 0)) continue;
-    if (!before_a || !before_b) return std::numeric_limits<double>::infinity();
+    if (!before_a || !before_b) return infinity;
     sum += (p - r).squaredNorm();
     ++count;
+    if (sum > largest_sum) return infinity;
   }
-  return count ? std::sqrt(sum / count) : std::numeric_limits<double>::infinity();
+  return count ? std::sqrt(sum / count) : infinity;
+}
+
+/// Whether pose_distance is less than so many pixels. Most poses are far apart, which a few points tell.
+template <typename Camera>
+bool is_near(const PointSet& points, const Camera& camera, const SE3d& a, const SE3d& b, double pixels) {
+  return pose_distance(points, camera, a, b, pixels) < pixels;
 }
 
 DOT_END_NAMESPACE

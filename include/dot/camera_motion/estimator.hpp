@@ -70,16 +70,10 @@ struct CameraMotionEstimator {
       add(aligner.align(few, stands, top, fine).state, fine);
     }
     if (search) {
-      const int level = CameraSearch::level_of(top + 1);
-      search->find(few, depth, aligner.intensity_sigma(problem, first, level), aligner, workspace);
-      const auto add_few = [&](const AlignState& start, int coarsest) {
-        minima.add(problem, aligner.align(few, start, coarsest, fine));
-      };
-      for (const AlignState& start : starts) add_few(start, level);
-      for (const AlignState& start : workspace.near) {
-        add_few(start, level);
-        add_few(start, fine);  // a coarse level dominated by moving shadows leads away
-      }
+      const double sigma = aligner.intensity_sigma(problem, first, CameraSearch::level_of(top + 1));
+      search->find(few, depth, sigma, aligner, workspace);
+      search->align_starts(few, fine, sigma, CameraSearch::kThorough, aligner, workspace,
+                           [&](const Alignment& a) { minima.add(problem, a, kSameFine); });
     }
 
     // A few points may agree by chance, and then better than others. Without contrast or far off, all may agree.
@@ -94,22 +88,28 @@ struct CameraMotionEstimator {
     minima.drop_if(tells_nothing);
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : minima.found) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, fine));
+    const auto cost_of = [&](const Alignment& a) { return aligner.tukey_cost(few, a.state, fine, sigma); };
+    const auto lowest_cost = [&] {
+      double lowest = std::numeric_limits<double>::infinity();
+      for (const Alignment& a : minima.found) lowest = std::min(lowest, cost_of(a));
+      return lowest;
+    };
     if (search) {
       keep_best(few, fine, sigma, aligner, workspace);
+      const double lowest = lowest_cost();
+      minima.drop_if([&](const Alignment& a) { return cost_of(a) > kHopeless * lowest; });
       const auto second = SecondMotion::find(few, minima.found.front().state, *search, evidence, depth, fine, sigma,
                                              aligner, workspace);
       for (Alignment& a : minima.found) a = aligner.align(problem, a.state, fine, fine);
       if (second) add_near(*second);
     }
-    // With a known velocity, minima that cost much more than the best one have no better ones beside them either.
+    // Minima that cost much more than the best one have no better ones beside them either.
     const std::size_t unshifted = minima.found.size();
-    const auto cost_of = [&](const Alignment& a) { return aligner.tukey_cost(few, a.state, fine, sigma); };
-    double lowest = std::numeric_limits<double>::infinity();
-    if (!search)
-      for (const Alignment& a : minima.found) lowest = std::min(lowest, cost_of(a));
+    const double lowest = search ? std::numeric_limits<double>::infinity() : lowest_cost();
+    const AlignProblem<Camera> scanned = search ? CameraSearch::part_of(few, CameraSearch::kScanned, workspace) : few;
     for (std::size_t i = 0; i < unshifted; ++i) {
-      if (!search && cost_of(minima.found[i]) > kHopeless * lowest) continue;
-      shifted(few, minima.found[i], fine, sigma, depth, aligner, workspace);
+      if (cost_of(minima.found[i]) > kHopeless * lowest) continue;
+      shifted(scanned, minima.found[i], fine, sigma, depth, aligner, workspace);
       for (const AlignState& start : starts) add_near(start);
     }
     enough = settings.min_points;
@@ -146,6 +146,7 @@ struct CameraMotionEstimator {
   static constexpr int kRanked = 500;          ///< points for ranking many places, at least
   static constexpr int kSearched = 800;        ///< the same for a search
   static constexpr int kEnoughRanked = 100;    ///< of these a minimum must see so many, or min_points if fewer
+  static constexpr double kSameFine = 0.5;     ///< pixels up to which two minima of a search are one, before level 0
   static constexpr int kStepsAhead = 16;       ///< number of shifts to each side; 5 cm each on a road
   static constexpr int kSteps = 6;             ///< the same along the least determined direction
   static constexpr double kHopeless =

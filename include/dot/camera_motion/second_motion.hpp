@@ -42,17 +42,14 @@ struct SecondMotion {
       for (const PointSet* object : evidence.objects) rest.append_every(1 + object->size() / kPerObject, *object);
 
     const AlignProblem<Camera> unexplained{rest, problem.image, problem.camera};
-    const int coarse = CameraSearch::level_of(std::min(rest.levels, problem.image.size()));
-    search.find_shifts(unexplained, depth, sigma, aligner, workspace);
+    search.find_shifts(unexplained, depth, sigma, CameraSearch::kBrief, aligner, workspace);
     std::optional<AlignState> found;
     double least = std::numeric_limits<double>::infinity();
-    for (const auto* starts : {&workspace.starts, &workspace.near})
-      for (const AlignState& start : *starts) {
-        const Alignment a = aligner.align(unexplained, start, coarse, level);
-        if (2 * a.seen < rest.size() || !a.state.T.t.allFinite()) continue;
-        const double cost = aligner.tukey_cost(unexplained, a.state, level, sigma);
-        if (cost < least) least = cost, found = a.state;
-      }
+    search.align_starts(unexplained, level, sigma, CameraSearch::kBrief, aligner, workspace, [&](const Alignment& a) {
+      if (2 * a.seen < rest.size() || !a.state.T.t.allFinite()) return;
+      const double cost = aligner.tukey_cost(unexplained, a.state, level, sigma);
+      if (cost < least) least = cost, found = a.state;
+    });
     return found;
   }
 

@@ -201,6 +201,7 @@ void ObjectScorer::add_object(const runner::RecordingEntry& entry, const runner:
   }
   if (band == nullptr) return;
   if (!truth.moving) {
+    if (truth.speed > 0) return;  // it creeps, or has just stopped
     if (has_speed) band->static_speed.push_back(object->speed);
     if (has_speed && nees) band->static_nees.push_back(*nees);
     return;

@@ -233,6 +233,7 @@ TEST(AlignObject, CountsWhatTheDepthConfirms) {
   const Alignment good = Pair::align(pair.problem());
   EXPECT_EQ(good.with_depth, good.seen);
   EXPECT_GT(good.depth_agrees, 0.95 * good.with_depth);
+  EXPECT_NEAR(good.depth_shift, 0, 5e-4);
 
   Pair other = pair;
   Degradation holes;
@@ -244,7 +245,9 @@ TEST(AlignObject, CountsWhatTheDepthConfirms) {
   Degradation biased;
   biased.depth_bias[7] = -0.02;  // farther by 10 sigma
   other.inverse_depth = degraded(pair.current, biased).inverse_depth();
-  EXPECT_LT(Pair::align(other.problem()).depth_agrees, 0.05 * good.seen);
+  const Alignment farther = Pair::align(other.problem());
+  EXPECT_LT(farther.depth_agrees, 0.05 * good.seen);
+  EXPECT_NEAR(farther.depth_shift, -0.02, 0.002);
 
   biased.depth_bias[7] = 0.2;  // something much nearer everywhere
   other.inverse_depth = degraded(pair.current, biased).inverse_depth();

@@ -72,7 +72,7 @@ struct DirectAligner {
       ++a.seen;
       if (p.has_depth(i)) {
         ++a.with_depth;
-        scratch_.push_back(std::abs(p.r_depth[i]));
+        scratch_.push_back(p.r_depth[i]);
         a.depth_agrees += std::abs(p.r_depth[i]) < problem.depth.agreement;
       }
       if (r2(i) > sq(settings.outlier) * s2(i)) continue;
@@ -82,6 +82,8 @@ struct DirectAligner {
     }
     a.inside = a.seen + a.occluded;
     a.phi = pearson.correlation();
+    a.depth_shift = scratch_.empty() ? 0 : static_cast<double>(median(scratch_.begin(), scratch_.end()));
+    for (float& difference : scratch_) difference = std::abs(difference);
     a.depth_scatter = static_cast<double>(mad_sigma(scratch_));
     a.reduced_chi2 = a.inliers ? sum / a.inliers : 0;
   }

@@ -22,7 +22,7 @@ struct ObjectSettings {
   double min_phi_expected = 0.75;    ///< of a fit that agrees with the known velocity; below min_phi it is no evidence
   int min_inliers = 20;              ///< points that fit the line between intensities
   double min_inlier_share = 0.4;     ///< of the visible points
-  double min_depth_agreement = 0.5;  ///< share of the points that the measured depth confirms
+  double min_depth_agreement = 0.6;  ///< share of the points that the measured depth confirms
   double max_speed = 70;             ///< m/s
   double max_acceleration = 12;      ///< m/s^2
   double search_speed = 30;          ///< m/s: largest velocity hypothesis of a new object

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/object_motion/displacement_covariance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dot/camera/depth_noise.hpp"
+#include "support/synthetic_scene.hpp"
+
+namespace {
+
+using dot::Matrix3;
+using dot::Matrix6;
+using dot::SE3d;
+using dot::Vector3;
+
+/// An object 2 m away beside the axis, seen by a camera that turns away from it, and a fit of it that is known to 1 mm.
+struct Fit {
+  dot::ObjectReference reference;
+  dot::CameraSince camera;
+  dot::Alignment alignment;
+  const dot::DepthNoise noise{{}, dot::test::small_camera()};
+
+  Fit() {
+    reference.centroid = {0.6, 0.2, 2};
+    reference.area = 4000;
+    camera.T_now_ref = SE3d{dot::so3::exp(Vector3<double>(0, 0.1, 0)), Vector3<double>(0, 0, -0.2)};
+    alignment.covariance.setIdentity();
+    alignment.covariance *= 1e-6;
+    alignment.with_depth = 200;
+  }
+
+  /// Covariance of the centroid, where the measured inverse depth differs by so much from the predicted one.
+  Matrix3<double> with_shift(double per_metre) {
+    alignment.depth_shift = per_metre;
+    const dot::ReferencePair pair{reference, camera, 0.1};
+    const Matrix6<double> V = displacement_covariance(pair, alignment, reference.centroid, {}, noise);
+    return V.topLeftCorner<3, 3>();
+  }
+};
+
+TEST(DisplacementCovariance, GrowsAlongTheRayByADepthThatContradictsTheFit) {
+  for (const double metres : {0.3, -0.3}) {
+    Fit fit;
+    const SE3d& T = fit.camera.T_now_ref;
+    const Vector3<double> now = T * fit.reference.centroid;
+    const double shift = 1 / (now.z() + metres) - 1 / now.z();
+    const Matrix3<double> growth = fit.with_shift(shift) - fit.with_shift(0);
+    const Vector3<double> ray = (T.R.transpose() * now).normalized(), across = ray.unitOrthogonal();
+    const double along = std::sqrt(ray.dot(growth * ray)), expected = std::abs(shift) * now.z() * now.norm();
+    EXPECT_NEAR(along, expected, 0.02 * expected);
+    EXPECT_NEAR(across.dot(growth * across), 0, 1e-12);
+    EXPECT_NEAR((growth * ray).cross(ray).norm(), 0, 1e-12);
+  }
+}
+
+TEST(DisplacementCovariance, DoesNotGrowByADepthThatItsNoiseExplains) {
+  Fit fit;
+  const Matrix3<double> without = fit.with_shift(0);
+  const double explained = fit.noise.shared_drift_sigma(1 / fit.reference.centroid.z());
+  ASSERT_GT(explained, 0);
+  EXPECT_EQ(fit.with_shift(0.9 * explained), without);
+  EXPECT_EQ(fit.with_shift(-0.9 * explained), without);
+  EXPECT_GT(fit.with_shift(10 * explained).trace(), without.trace());
+}
+
+// The median of a few depths scatters more than that of many.
+TEST(DisplacementCovariance, GrowsLessByTheMedianOfAFewDepths) {
+  Fit fit;
+  const double shift = 5 * fit.noise.pixel_sigma(1 / fit.reference.centroid.z());
+  const double many = fit.with_shift(shift).trace();
+  fit.alignment.with_depth = 1;
+  EXPECT_LT(fit.with_shift(shift).trace(), many);
+}
+
+}  // namespace

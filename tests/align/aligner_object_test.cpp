@@ -248,6 +248,7 @@ TEST(AlignObject, CountsWhatTheDepthConfirms) {
   const Alignment farther = Pair::align(other.problem());
   EXPECT_LT(farther.depth_agrees, 0.05 * good.seen);
   EXPECT_NEAR(farther.depth_shift, -0.02, 0.002);
+  EXPECT_LT(farther.depth_spread, 0.1 * farther.depth_scatter);
 
   biased.depth_bias[7] = 0.2;  // something much nearer everywhere
   other.inverse_depth = degraded(pair.current, biased).inverse_depth();

@@ -26,19 +26,28 @@ struct Fit {
   Fit() {
     reference.centroid = {0.6, 0.2, 2};
     reference.area = 4000;
+    reference.inertia.diagonal() << 0.01, 0.01, 0.02;  // flat, .1 m to each side
     camera.T_now_ref = SE3d{dot::so3::exp(Vector3<double>(0, 0.1, 0)), Vector3<double>(0, 0, -0.2)};
     alignment.covariance.setIdentity();
     alignment.covariance *= 1e-6;
     alignment.with_depth = 200;
   }
 
+  Matrix6<double> covariance() const {
+    return displacement_covariance(dot::ReferencePair{reference, camera, 0.1}, alignment, reference.centroid, {},
+                                   noise);
+  }
   /// Covariance of the centroid, where the measured inverse depth differs by so much from the predicted one.
   Matrix3<double> with_shift(double per_metre) {
     alignment.depth_shift = per_metre;
-    const dot::ReferencePair pair{reference, camera, 0.1};
-    const Matrix6<double> V = displacement_covariance(pair, alignment, reference.centroid, {}, noise);
-    return V.topLeftCorner<3, 3>();
+    return covariance().topLeftCorner<3, 3>();
   }
+  /// Covariance of the rotation, where the differences scatter by so much.
+  Matrix3<double> with_spread(double per_metre) {
+    alignment.depth_spread = per_metre;
+    return covariance().bottomRightCorner<3, 3>();
+  }
+  double pixel_sigma() const { return noise.pixel_sigma(1 / reference.centroid.z()); }
 };
 
 TEST(DisplacementCovariance, GrowsAlongTheRayByADepthThatContradictsTheFit) {
@@ -69,10 +78,33 @@ TEST(DisplacementCovariance, DoesNotGrowByADepthThatItsNoiseExplains) {
 // The median of a few depths scatters more than that of many.
 TEST(DisplacementCovariance, GrowsLessByTheMedianOfAFewDepths) {
   Fit fit;
-  const double shift = 5 * fit.noise.pixel_sigma(1 / fit.reference.centroid.z());
+  const double shift = 5 * fit.pixel_sigma();
   const double many = fit.with_shift(shift).trace();
   fit.alignment.with_depth = 1;
   EXPECT_LT(fit.with_shift(shift).trace(), many);
+}
+
+// A depth that scatters by s metres over an object of half the width x may be a rotation of s / x.
+TEST(DisplacementCovariance, OfTheRotationGrowsByADepthThatScattersMuch) {
+  Fit fit;
+  const Matrix3<double> without = fit.with_spread(0);
+  EXPECT_EQ(fit.with_spread(2 * fit.pixel_sigma()), without);
+  const double spread = 20 * fit.pixel_sigma(), z = (fit.camera.T_now_ref * fit.reference.centroid).z();
+  const Matrix3<double> growth = fit.with_spread(spread) - without;
+  const double turn = spread * z * z / 0.1;
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(std::sqrt(growth(axis, axis)), turn, 0.02 * turn) << axis;
+}
+
+// The gradients of points that are close together are taken from the same pixels.
+TEST(DisplacementCovariance, OfClosePointsIsLarger) {
+  Fit close, apart;
+  for (Fit* fit : {&close, &apart})
+    for (int i = 0; i < 300; ++i) fit->reference.points.push(0, 0, 0, 0, 0.5f, 0);
+  close.reference.area = 2700;
+  apart.reference.area = 270000;
+  const dot::VelocitySettings settings;
+  const double expected = settings.photometric_scale / (1 + (settings.photometric_scale - 1) / 100);
+  EXPECT_NEAR(close.with_spread(0)(0, 0) / apart.with_spread(0)(0, 0), expected, 1e-9);
 }
 
 }  // namespace

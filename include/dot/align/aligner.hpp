@@ -83,8 +83,8 @@ struct DirectAligner {
     a.inside = a.seen + a.occluded;
     a.phi = pearson.correlation();
     a.depth_shift = scratch_.empty() ? 0 : static_cast<double>(median(scratch_.begin(), scratch_.end()));
-    for (float& difference : scratch_) difference = std::abs(difference);
-    a.depth_scatter = static_cast<double>(mad_sigma(scratch_));
+    a.depth_spread = scatter_about(a.depth_shift);
+    a.depth_scatter = scatter_about(0);
     a.reduced_chi2 = a.inliers ? sum / a.inliers : 0;
   }
 
@@ -209,6 +209,14 @@ struct DirectAligner {
     return std::max(settings.min_intensity_sigma, static_cast<double>(std::sqrt(median_of_magnitudes(scratch_))));
   }
 
+  /// Robust sigma of the values in `scratch_` about one.
+  double scatter_about(double middle) {
+    magnitudes_.resize(scratch_.size());
+    for (std::size_t i = 0; i < scratch_.size(); ++i)
+      magnitudes_[i] = std::abs(scratch_[i] - static_cast<float>(middle));
+    return static_cast<double>(mad_sigma(magnitudes_));
+  }
+
   /// H and g of a twist [x; a; b] from those of the twist about axes that are turned by R, [A x; a; b].
   static void turn(const Matrix3<double>& R, Matrix8& H) {
     for (const int k : {0, 3}) H.middleCols<3>(k) = (H.middleCols<3>(k) * R).eval();
@@ -225,7 +233,7 @@ struct DirectAligner {
 
   PointResiduals residuals_;
   std::vector<std::uint8_t> excluded_;
-  Buffer<float> scratch_;
+  Buffer<float> scratch_, magnitudes_;
 };
 
 DOT_END_NAMESPACE

@@ -26,7 +26,8 @@ struct Alignment {
   int with_depth = 0;          ///< seen points with measured depth
   int depth_agrees = 0;        ///< those of them whose depth agrees with the prediction
   double depth_scatter = 0;    ///< robust sigma of measured minus predicted inverse depth, 1/m; 0 if there is no depth
-  double depth_shift = 0;      ///< median of the same differences
+  double depth_shift = 0;      ///< median of these differences
+  double depth_spread = 0;     ///< their robust sigma about the median
   /// Share by which the cost of the next best minimum is higher, if several were compared.
   double margin = std::numeric_limits<double>::infinity();
   int iterations = 0;      ///< of Gauss-Newton, all levels

@@ -49,7 +49,7 @@ struct VelocitySettings {
   /// 1/(m s): v0 of near objects is this times the square of their range. The depth's error, and with it a map's, grows
   /// in the same way.
   double v0_per_square_metre = 0.005;
-  double photometric_scale = 3;            ///< inflation of Sigma_x: neighbouring residuals are correlated
+  double photometric_scale = 3;            ///< largest inflation of Sigma_x: residuals of close points are correlated
   double rotation_scale = 3;               ///< further inflation of the rotation's covariance
   double floor = 0.03;                     ///< m/s per axis, never more certain
   double floor_per_square_metre = 0.0012;  ///< 1/(m s): the floor of near objects, likewise

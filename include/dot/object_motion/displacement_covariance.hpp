@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "dot/align/aligner.hpp"
 #include "dot/motion/estimate.hpp"
@@ -11,12 +12,37 @@
 
 DOT_BEGIN_NAMESPACE
 
+/// Adds to a covariance of the twist of T_o, about the moved centroid, by how much the measured depth contradicts the
+/// fit. Where all of it is nearer or farther than predicted, the fit or the depth is wrong along the ray: a change of
+/// exposure shifts a fit, a reflection a depth. Where it scatters much about that, the fit's rotation may be wrong.
+/// @param moved the centroid after the fit's motion, axes of the reference's camera. @param depth_sigma of the median
+/// of the differences between measured and predicted inverse depth. @param pixel_sigma of one of them.
+inline void add_contradicting_depth(const ReferencePair& pair, const Alignment& a, const Vector3<double>& moved,
+                                    double depth_sigma, double pixel_sigma, Matrix6<double>& V) {
+  constexpr double kWorsePixels = 2;  // an object's noise of one pixel, at most, over what is expected
+  const auto unexplained = [](double difference, double variance) {
+    return std::max(0.0, difference * difference - variance);
+  };
+  const SE3d& T = pair.camera.T_now_ref;
+  const Vector3<double> now = T * moved, per_inverse_depth = T.R.transpose() * now * now.z();
+  const Vector3<double> ray = per_inverse_depth / per_inverse_depth.squaredNorm();
+  const double along = ray.dot(V.topLeftCorner<3, 3>() * ray);
+  V.topLeftCorner<3, 3>() +=
+      unexplained(a.depth_shift, along + depth_sigma * depth_sigma) * per_inverse_depth * per_inverse_depth.transpose();
+
+  // A rotation that is wrong by t changes the depth at a lateral distance x by t x. The mean of x^2 is about a quarter
+  // of the inertia's trace.
+  const double worst = kWorsePixels * pixel_sigma, metres = now.z() * now.z();
+  const double lateral2 = std::max(1e-9, pair.reference.inertia.trace() / 4);
+  V.bottomRightCorner<3, 3>().diagonal().array() +=
+      unexplained(a.depth_spread, worst * worst) * metres * metres / lateral2;
+}
+
 /// Covariance of the twist of T_o about the moved centroid: photometric part + depth errors that the object's points
 /// share, propagated through the fit (constant over the object, linear over it in u and v, and changing between the
-/// frames) + the camera's part. The noise model was learnt from the background. Where the object's measured depth
-/// scatters more about the prediction than the model says, its depth errors are scaled up by that excess. Where all of
-/// it is nearer or farther than predicted by more than is explained, the variance along the ray grows by that
-/// difference.
+/// frames) + what the measured depth contradicts + the camera's part. The noise model was learnt from the background.
+/// Where the object's measured depth scatters more about the prediction than the model says, its depth errors are
+/// scaled up by that excess.
 /// @param moved the centroid after the fit's motion, axes of the reference's camera.
 template <typename Noise>
 Matrix6<double> displacement_covariance(const ReferencePair& pair, const Alignment& a, const Vector3<double>& moved,
@@ -29,14 +55,16 @@ Matrix6<double> displacement_covariance(const ReferencePair& pair, const Alignme
   constexpr double kConstantMode = 1.6, kSlopeModes = 0.06;  // of the shared variance
   constexpr int kIndependentPixels = 60;                     // of an area that carry as much as one uncorrelated pixel
   constexpr double kVarianceOfMedian = 1.57;                 // of one value, times their number
+  constexpr double kCorrelatedPixels = 9;                    // that the gradient at a point is taken from
   const ObjectReference& reference = pair.reference;
-  const double q = 1 / std::max(0.05, reference.centroid.z());
-  const double excess = std::clamp(a.depth_scatter / (kScatterOfFit * noise.pixel_sigma(q)), 1.0, kMostExcess);
+  const double q = 1 / std::max(0.05, reference.centroid.z()), of_fit = kScatterOfFit * noise.pixel_sigma(q);
+  const double excess = std::clamp(a.depth_scatter / of_fit, 1.0, kMostExcess);
   const double common = excess * noise.shared_sigma(q), pixel = excess * noise.pixel_sigma(q);
   const double change =
       pair.seconds > kSteadySeconds ? std::max(common, noise.shared_drift_sigma(q)) : noise.shared_drift_sigma(q);
   const double per_area = 1.0 * kIndependentPixels / std::max(kIndependentPixels, reference.area);
-  Matrix6<double> V = settings.photometric_scale * a.covariance.topLeftCorner<6, 6>();
+  const double close = std::min(1.0, kCorrelatedPixels * reference.points.size() / std::max(1, reference.area));
+  Matrix6<double> V = (1 + (settings.photometric_scale - 1) * close) * a.covariance.topLeftCorner<6, 6>();
   const auto add = [&](const Vector8& mode, double variance) {
     const Vector6<double> x = mode.head<6>();
     V += variance * x * x.transpose();
@@ -45,16 +73,10 @@ Matrix6<double> displacement_covariance(const ReferencePair& pair, const Alignme
   add(a.depth_modes[1], kSlopeModes * common * common);
   add(a.depth_modes[2], kSlopeModes * common * common);
   add(a.depth_modes[3], change * change);
-  // The fit may predict another depth than the measured one, by more than all this explains. Then it is wrong along the
-  // ray, or the depth is: a change of exposure shifts a fit, a reflection a depth.
-  const SE3d& T = pair.camera.T_now_ref;
-  const Vector3<double> now = T * moved, per_inverse_depth = T.R.transpose() * now * now.z();
-  const Vector3<double> ray = per_inverse_depth / per_inverse_depth.squaredNorm();
-  const double of_median = pixel * pixel * std::max(per_area, kVarianceOfMedian / std::max(1, a.with_depth));
-  const double explained = ray.dot(V.topLeftCorner<3, 3>() * ray) + change * change + of_median;
-  const double unexplained = std::max(0.0, a.depth_shift * a.depth_shift - explained);
-  V.topLeftCorner<3, 3>() += unexplained * per_inverse_depth * per_inverse_depth.transpose();
-  return V + camera_share(pair.camera.covariance, T, now);
+  const double of_median = std::sqrt(std::max(per_area, kVarianceOfMedian / std::max(1, a.with_depth))) * pixel;
+  add_contradicting_depth(pair, a, moved, std::hypot(change, of_median), of_fit, V);
+  return V +
+         camera_share(pair.camera.covariance, pair.camera.T_now_ref, Vector3<double>(pair.camera.T_now_ref * moved));
 }
 
 DOT_END_NAMESPACE

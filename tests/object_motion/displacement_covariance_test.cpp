@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "dot/camera/depth_noise.hpp"
+#include "dot/statistics/median.hpp"
 #include "support/synthetic_scene.hpp"
 
 namespace {
@@ -40,6 +41,7 @@ struct Fit {
   /// Covariance of the centroid, where the measured inverse depth differs by so much from the predicted one.
   Matrix3<double> with_shift(double per_metre) {
     alignment.depth_shift = per_metre;
+    alignment.depth_scatter = dot::kSigmaOfMedian * std::abs(per_metre);
     return covariance().topLeftCorner<3, 3>();
   }
   /// Covariance of the rotation, where the differences scatter by so much.
@@ -89,10 +91,17 @@ TEST(DisplacementCovariance, OfTheRotationGrowsByADepthThatScattersMuch) {
   Fit fit;
   const Matrix3<double> without = fit.with_spread(0);
   EXPECT_EQ(fit.with_spread(2 * fit.pixel_sigma()), without);
-  const double spread = 20 * fit.pixel_sigma(), z = (fit.camera.T_now_ref * fit.reference.centroid).z();
+  const Vector3<double> now = fit.camera.T_now_ref * fit.reference.centroid;
+  const Vector3<double> ray = (fit.camera.T_now_ref.R.transpose() * now).normalized(), across = ray.unitOrthogonal();
+  const double spread = 20 * fit.pixel_sigma(), lateral = std::sqrt(ray.dot(fit.reference.inertia * ray) / 2);
   const Matrix3<double> growth = fit.with_spread(spread) - without;
-  const double turn = spread * z * z / 0.1;
-  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(std::sqrt(growth(axis, axis)), turn, 0.02 * turn) << axis;
+  const double turn = spread * now.z() * now.z() / lateral;
+  EXPECT_NEAR(lateral, 0.1, 0.01);
+  EXPECT_NEAR(std::sqrt(across.dot(growth * across)), turn, 0.02 * turn);
+  EXPECT_NEAR(ray.dot(growth * ray), 0, 1e-9) << "a turn about the ray changes no depth";
+
+  fit.alignment.with_depth = 5;
+  EXPECT_EQ(fit.with_spread(spread), without) << "too few depths";
 }
 
 // The gradients of points that are close together are taken from the same pixels.

@@ -96,8 +96,6 @@ struct CameraMotionEstimator {
     };
     if (search) {
       keep_best(few, fine, sigma, aligner, workspace);
-      const double lowest = lowest_cost();
-      minima.drop_if([&](const Alignment& a) { return cost_of(a) > kHopeless * lowest; });
       const auto second = SecondMotion::find(few, minima.found.front().state, *search, evidence, depth, fine, sigma,
                                              aligner, workspace);
       for (Alignment& a : minima.found) a = aligner.align(problem, a.state, fine, fine);
@@ -105,10 +103,10 @@ struct CameraMotionEstimator {
     }
     // Minima that cost much more than the best one have no better ones beside them either.
     const std::size_t unshifted = minima.found.size();
-    const double lowest = search ? std::numeric_limits<double>::infinity() : lowest_cost();
+    const double lowest = search ? 0 : lowest_cost();
     const AlignProblem<Camera> scanned = search ? CameraSearch::part_of(few, CameraSearch::kScanned, workspace) : few;
     for (std::size_t i = 0; i < unshifted; ++i) {
-      if (cost_of(minima.found[i]) > kHopeless * lowest) continue;
+      if (!search && cost_of(minima.found[i]) > kHopeless * lowest) continue;
       shifted(scanned, minima.found[i], fine, sigma, depth, aligner, workspace);
       for (const AlignState& start : starts) add_near(start);
     }
@@ -220,7 +218,7 @@ struct CameraMotionEstimator {
     return a;
   }
 
-  /// Drops minima that are not among the best on a level.
+  /// Drops minima that are not among the best on a level, or cost much more than the best one.
   template <typename Camera, typename Aligner>
   void keep_best(const AlignProblem<Camera>& problem, int level, double sigma, Aligner& aligner,
                  MinimaWorkspace& workspace) const {
@@ -229,8 +227,10 @@ struct CameraMotionEstimator {
     costs.clear();
     for (const Alignment& a : found) costs.add(problem, a.state, level, sigma, aligner);
     kept.clear();
+    const std::size_t first = costs.best(0);
     while (kept.size() < std::min(found.size(), kCompared)) {
       const std::size_t next = costs.best(0);
+      if (costs.ratio(next, first) > kHopeless) break;
       kept.push_back(found[next]);
       costs.remove(next);
     }

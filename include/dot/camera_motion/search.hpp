@@ -48,10 +48,10 @@ struct CameraSearch {
     const int level = level_of(std::min(problem.points.levels, problem.image.size()));
     auto& tried = workspace.tried;
     tried.clear();
+    const AlignProblem<Camera> scanned = part_of(problem, kScanned, workspace);
     for (const auto& turn : workspace.turns) {
       const std::size_t others = tried.size();
-      add_shifts(part_of(problem, kScanned, workspace), turn.second.at(turn.second.T * T_before_j), depth, sigma,
-                 aligner, tried);
+      add_shifts(scanned, turn.second.at(turn.second.T * T_before_j), depth, sigma, aligner, tried);
       keep_cheapest(tried, effort.shifts + kMore, others);
       for (std::size_t i = others; i < tried.size(); ++i)
         tried[i].first = aligner.tukey_cost(problem, tried[i].second, level, sigma);
@@ -69,6 +69,7 @@ struct CameraSearch {
 
   /// Aligns from all starts, and visits the minima that they lead to on the level `fine`, as alignments of all points.
   /// A part of the points finds the minima. The best of them are refined with all.
+  /// @param sigma grey values, scale of the residuals that compares these minima.
   template <typename Camera, typename Aligner, typename Visit>
   void align_starts(const AlignProblem<Camera>& problem, int fine, double sigma, const Effort& effort, Aligner& aligner,
                     MinimaWorkspace& workspace, Visit&& visit) const {
@@ -113,7 +114,7 @@ struct CameraSearch {
   using Places = std::vector<std::pair<double, AlignState>>;  ///< with their costs
 
   static constexpr int kSteps = 24;             ///< number of shifts to each side
-  static constexpr std::size_t kMore = 4;       ///< shifts more than are kept, that all points compare
+  static constexpr std::size_t kMore = 4;       ///< shifts that all points compare, in addition to those that are kept
   static constexpr std::size_t kFollowed = 10;  ///< minima of a part of the points that are refined with all
   static constexpr double kSamePixels = 1;      ///< up to which two of these are the same
 

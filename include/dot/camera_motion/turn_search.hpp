@@ -37,6 +37,7 @@ struct TurnSearch {
     const double roll = std::max(pixels / (0.35 * camera.width()), reach / 3);
     const int n = static_cast<int>(std::ceil(reach / side)), m = static_cast<int>(std::ceil(0.6 * reach / roll));
     Places& grid = workspace.tried;
+    grid.clear();
     for (int z = -m; z <= m; ++z)
       for (int y = -n; y <= n; ++y)
         for (int x = -n; x <= n; ++x) {
@@ -52,7 +53,6 @@ struct TurnSearch {
       if (!known) turns.push_back({cost(T, finer), unturned.at(T)});
     }
     keep_cheapest(turns, kTurns, 1);
-    grid.clear();
   }
 
  private:

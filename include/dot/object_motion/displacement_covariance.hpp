@@ -14,28 +14,30 @@ DOT_BEGIN_NAMESPACE
 
 /// Adds to a covariance of the twist of T_o, about the moved centroid, by how much the measured depth contradicts the
 /// fit. Where all of it is nearer or farther than predicted, the fit or the depth is wrong along the ray: a change of
-/// exposure shifts a fit, a reflection a depth. Where it scatters much about that, the fit's rotation may be wrong.
+/// exposure shifts a fit, a reflection a depth. Where it scatters much about that, the fit's rotation may be wrong. A
+/// rotation that is wrong by t, about an axis across the ray, changes the depth at a lateral distance x from that axis
+/// by t x.
 /// @param moved the centroid after the fit's motion, axes of the reference's camera. @param depth_sigma of the median
 /// of the differences between measured and predicted inverse depth. @param pixel_sigma of one of them.
 inline void add_contradicting_depth(const ReferencePair& pair, const Alignment& a, const Vector3<double>& moved,
                                     double depth_sigma, double pixel_sigma, Matrix6<double>& V) {
-  constexpr double kWorsePixels = 2;  // an object's noise of one pixel, at most, over what is expected
+  constexpr double kWorsePixels = 2;  // largest noise of an object's pixels, over pixel_sigma
+  constexpr int kLeastDepths = 10;    // whose scatter tells something
   const auto unexplained = [](double difference, double variance) {
     return std::max(0.0, difference * difference - variance);
   };
   const SE3d& T = pair.camera.T_now_ref;
-  const Vector3<double> now = T * moved, per_inverse_depth = T.R.transpose() * now * now.z();
-  const Vector3<double> ray = per_inverse_depth / per_inverse_depth.squaredNorm();
-  const double along = ray.dot(V.topLeftCorner<3, 3>() * ray);
+  const Vector3<double> now = T * moved, ray = T.R.transpose() * now.normalized();
+  const double metres = now.norm() * now.z();  // along the ray, for a unit of inverse depth
+  const double along = ray.dot(V.topLeftCorner<3, 3>() * ray) / (metres * metres);
   V.topLeftCorner<3, 3>() +=
-      unexplained(a.depth_shift, along + depth_sigma * depth_sigma) * per_inverse_depth * per_inverse_depth.transpose();
+      unexplained(a.depth_shift, along + depth_sigma * depth_sigma) * metres * metres * ray * ray.transpose();
 
-  // A rotation that is wrong by t changes the depth at a lateral distance x by t x. The mean of x^2 is about a quarter
-  // of the inertia's trace.
-  const double worst = kWorsePixels * pixel_sigma, metres = now.z() * now.z();
-  const double lateral2 = std::max(1e-9, pair.reference.inertia.trace() / 4);
-  V.bottomRightCorner<3, 3>().diagonal().array() +=
-      unexplained(a.depth_spread, worst * worst) * metres * metres / lateral2;
+  const double lateral2 = ray.dot(pair.reference.inertia * ray) / 2;  // mean square from an axis across the ray
+  if (a.with_depth < kLeastDepths || lateral2 <= 0) return;
+  const double worst = kWorsePixels * pixel_sigma, depth = now.z() * now.z();
+  V.bottomRightCorner<3, 3>() += unexplained(a.depth_spread, worst * worst) * depth * depth / lateral2 *
+                                 (Matrix3<double>::Identity() - ray * ray.transpose());
 }
 
 /// Covariance of the twist of T_o about the moved centroid: photometric part + depth errors that the object's points

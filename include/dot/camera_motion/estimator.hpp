@@ -147,6 +147,7 @@ struct CameraMotionEstimator {
   static constexpr double kSameFine = 0.5;     ///< pixels up to which two minima of a search are one, before level 0
   static constexpr int kStepsAhead = 16;       ///< number of shifts to each side; 5 cm each on a road
   static constexpr int kSteps = 6;             ///< the same along the least determined direction
+  static constexpr double kNegligible = 0.05;  ///< cost of a point, where an inlier's is 0.45: no worse than another
   static constexpr double kHopeless =
       1.5;  ///< largest cost of a shift over that of its start, of a start over the best
 
@@ -230,7 +231,8 @@ struct CameraMotionEstimator {
     const std::size_t first = costs.best(0);
     while (kept.size() < std::min(found.size(), kCompared)) {
       const std::size_t next = costs.best(0);
-      if (costs.ratio(next, first) > kHopeless) break;
+      const bool fits = aligner.tukey_cost(problem, found[next].state, level, sigma) < kNegligible;
+      if (!fits && costs.ratio(next, first) > kHopeless) break;
       kept.push_back(found[next]);
       costs.remove(next);
     }

@@ -58,6 +58,7 @@ Matrix6<double> displacement_covariance(const ReferencePair& pair, const Alignme
   constexpr int kIndependentPixels = 60;                     // of an area that carry as much as one uncorrelated pixel
   constexpr double kVarianceOfMedian = 1.57;                 // of one value, times their number
   constexpr double kCorrelatedPixels = 9;                    // that the gradient at a point is taken from
+  constexpr double kFarApart = 1.0 / 3;                      // share of the photometric scale where points share none
   const ObjectReference& reference = pair.reference;
   const double q = 1 / std::max(0.05, reference.centroid.z()), of_fit = kScatterOfFit * noise.pixel_sigma(q);
   const double excess = std::clamp(a.depth_scatter / of_fit, 1.0, kMostExcess);
@@ -66,7 +67,8 @@ Matrix6<double> displacement_covariance(const ReferencePair& pair, const Alignme
       pair.seconds > kSteadySeconds ? std::max(common, noise.shared_drift_sigma(q)) : noise.shared_drift_sigma(q);
   const double per_area = 1.0 * kIndependentPixels / std::max(kIndependentPixels, reference.area);
   const double close = std::min(1.0, kCorrelatedPixels * reference.points.size() / std::max(1, reference.area));
-  Matrix6<double> V = (1 + (settings.photometric_scale - 1) * close) * a.covariance.topLeftCorner<6, 6>();
+  Matrix6<double> V =
+      settings.photometric_scale * (kFarApart + (1 - kFarApart) * close) * a.covariance.topLeftCorner<6, 6>();
   const auto add = [&](const Vector8& mode, double variance) {
     const Vector6<double> x = mode.head<6>();
     V += variance * x * x.transpose();

@@ -146,6 +146,29 @@ TEST(CameraSearch, ImprovesWhatItFound) {
   EXPECT_LT(improved, 0.6 * found);
 }
 
+// Places of an earlier search are no rotations of this one, even where hardly any rotation fits.
+TEST(TurnSearch, DoesNotDependOnTheCallBefore) {
+  Scene scene;
+  scene.bodies.push_back(yard(100));
+  const Pyramid before = pyramid_of(scene.render(camera, SE3d{}));
+  const SE3d turned{dot::so3::exp(Vector3<double>(0, 0.02, 0)), Vector3<double>::Zero()};
+  const Pyramid now = pyramid_of(scene.render(camera, turned));
+  DirectAligner<> aligner;
+  for (const double radians : {0.0, 0.12}) {
+    dot::MinimaWorkspace fresh, used;
+    const SE3d elsewhere{dot::so3::exp(Vector3<double>(0, 0, 0.5)), Vector3<double>::Zero()};
+    used.tried.assign(20, {-2, dot::AlignState{elsewhere}});  // better than any correlation
+    const dot::TurnSearch search{radians, before};
+    search.find(now, camera, aligner, fresh);
+    search.find(now, camera, aligner, used);
+    ASSERT_EQ(used.turns.size(), fresh.turns.size());
+    for (std::size_t i = 0; i < fresh.turns.size(); ++i) {
+      EXPECT_EQ(used.turns[i].first, fresh.turns[i].first);
+      EXPECT_EQ(used.turns[i].second.T.R, fresh.turns[i].second.T.R);
+    }
+  }
+}
+
 // A kerb, a pothole: it moves otherwise than before.
 TEST(Jerk, IsFoundThoughAnotherVelocityIsKnown) {
   constexpr int jerk = 5;

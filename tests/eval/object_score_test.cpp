@@ -173,6 +173,23 @@ TEST(ObjectScore, CalibrationAndCoverage) {
   EXPECT_TRUE(score.bands[0].moving_speed_error.empty());
 }
 
+// What creeps, or has just stopped, has a velocity: it tells nothing of the sigma.
+TEST(ObjectScore, CalibrationIsThatOfThingsThatStandStill) {
+  for (const double true_speed : {0.0, -1.0, 0.02}) {  // negative: not known
+    Scene scene(0);
+    scene.add(1, place_a, false, true_speed);
+    HandMadeResult answer(frame_size);
+    dot::ObjectResult& slow = answer.add(7, State::Static, place_a);
+    slow.reason = dot::Reason::None;
+    slow.velocity = {0.02, 0, 0};
+    slow.speed = 0.02;
+    slow.velocity_covariance = {1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4};
+    const ObjectScore score = score_twice(scene, answer);
+    EXPECT_EQ(score.bands[0].static_nees.size(), true_speed > 0 ? 0U : 1U) << true_speed;
+    EXPECT_EQ(score.bands[0].static_speed.size(), true_speed > 0 ? 0U : 1U) << true_speed;
+  }
+}
+
 TEST(ObjectScore, SpeedAndMotionErrorOfMovers) {
   Scene scene(0);
   scene.add(1, place_a, true, 4);

@@ -88,12 +88,6 @@ struct CameraMotionEstimator {
     minima.drop_if(tells_nothing);
     double sigma = std::numeric_limits<double>::infinity();
     for (const Alignment& a : minima.found) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, fine));
-    const auto cost_of = [&](const Alignment& a) { return aligner.tukey_cost(few, a.state, fine, sigma); };
-    const auto lowest_cost = [&] {
-      double lowest = std::numeric_limits<double>::infinity();
-      for (const Alignment& a : minima.found) lowest = std::min(lowest, cost_of(a));
-      return lowest;
-    };
     if (search) {
       keep_best(few, fine, sigma, aligner, workspace);
       const auto second = SecondMotion::find(few, minima.found.front().state, *search, evidence, depth, fine, sigma,
@@ -101,9 +95,12 @@ struct CameraMotionEstimator {
       for (Alignment& a : minima.found) a = aligner.align(problem, a.state, fine, fine);
       if (second) add_near(*second);
     }
-    // Minima that cost much more than the best one have no better ones beside them either.
+    // With a known velocity, minima that cost much more than the best one have no better ones beside them either.
     const std::size_t unshifted = minima.found.size();
-    const double lowest = search ? 0 : lowest_cost();
+    const auto cost_of = [&](const Alignment& a) { return aligner.tukey_cost(few, a.state, fine, sigma); };
+    double lowest = std::numeric_limits<double>::infinity();
+    if (!search)
+      for (const Alignment& a : minima.found) lowest = std::min(lowest, cost_of(a));
     const AlignProblem<Camera> scanned = search ? CameraSearch::part_of(few, CameraSearch::kScanned, workspace) : few;
     for (std::size_t i = 0; i < unshifted; ++i) {
       if (!search && cost_of(minima.found[i]) > kHopeless * lowest) continue;
@@ -147,7 +144,8 @@ struct CameraMotionEstimator {
   static constexpr double kSameFine = 0.5;     ///< pixels up to which two minima of a search are one, before level 0
   static constexpr int kStepsAhead = 16;       ///< number of shifts to each side; 5 cm each on a road
   static constexpr int kSteps = 6;             ///< the same along the least determined direction
-  static constexpr double kNegligible = 0.05;  ///< cost of a point, where an inlier's is 0.45: no worse than another
+  static constexpr double kNegligible =
+      0.05;  ///< cost of a point that is no worse than any lower one; an inlier's is 0.45
   static constexpr double kHopeless =
       1.5;  ///< largest cost of a shift over that of its start, of a start over the best
 
@@ -231,8 +229,8 @@ struct CameraMotionEstimator {
     const std::size_t first = costs.best(0);
     while (kept.size() < std::min(found.size(), kCompared)) {
       const std::size_t next = costs.best(0);
-      const bool fits = aligner.tukey_cost(problem, found[next].state, level, sigma) < kNegligible;
-      if (!fits && costs.ratio(next, first) > kHopeless) break;
+      const auto cost = [&] { return aligner.tukey_cost(problem, found[next].state, level, sigma); };
+      if (costs.ratio(next, first) > kHopeless && cost() > kNegligible) break;
       kept.push_back(found[next]);
       costs.remove(next);
     }

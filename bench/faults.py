@@ -155,14 +155,13 @@ def masks_values(s, size):
 
 
 def masks_missing(s, size):
-    """each mask is missing in so many per cent of the frames, at random"""
+    """so many per cent of all masks are missing, chosen at random"""
+    shown = [(i, value) for i in range(len(s.frames)) for value in np.unique(s.read("masks", i)) if value]
+    order = np.random.default_rng(1).permutation(len(shown))
+    gone = {shown[k] for k in order[: round(len(shown) * float(size) / 100)]}
+
     def change(m, i):
-        out = m.copy()
-        random = np.random.default_rng(i)
-        for value in np.unique(m):
-            if random.random() < float(size) / 100:
-                out[m == value] = 0
-        return out
+        return np.where(np.isin(m, [value for index, value in gone if index == i]), 0, m).astype(m.dtype)
     s.change["masks"] = change
 
 

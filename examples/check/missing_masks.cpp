@@ -8,8 +8,8 @@
 #include "words.hpp"
 
 /// @file
-/// Things that lose their mask while the image still shows them: a network that misses them, or masks that leave out
-/// what stands.
+/// Things without a mask that have one in the frame before or after, while the image shows them in both: a network that
+/// misses them, or masks that leave out what stands.
 
 namespace check {
 namespace {
@@ -52,15 +52,15 @@ std::map<int, cv::Rect> boxes_of(const cv::Mat& ids) {
   return boxes;
 }
 
-/// Whether the next frame still shows what is in the box: the place where it does.
-bool find_again(const Small& before, const Small& now, const cv::Rect& box, cv::Rect& there) {
+/// Whether the other frame shows what is in the box as well: the place where it does.
+bool find_again(const Small& one, const Small& other, const cv::Rect& box, cv::Rect& there) {
   cv::Scalar mean, deviation;
-  cv::meanStdDev(before.grey(box), mean, deviation);
-  if (deviation[0] < textured || now.grey.size() != before.grey.size()) return false;
-  const cv::Rect image({}, now.grey.size());
+  cv::meanStdDev(one.grey(box), mean, deviation);
+  if (deviation[0] < textured || other.grey.size() != one.grey.size()) return false;
+  const cv::Rect image({}, other.grey.size());
   const cv::Rect window = (box + cv::Size(2 * reach, 2 * reach) - cv::Point(reach, reach)) & image;
   cv::Mat match;
-  cv::matchTemplate(now.grey(window), before.grey(box), match, cv::TM_CCOEFF_NORMED);
+  cv::matchTemplate(other.grey(window), one.grey(box), match, cv::TM_CCOEFF_NORMED);
   double best = 0;
   cv::Point at;
   cv::minMaxLoc(match, nullptr, &best, nullptr, &at);
@@ -68,29 +68,40 @@ bool find_again(const Small& before, const Small& now, const cv::Rect& box, cv::
   return best >= same_picture;
 }
 
+/// Things that a mask shows in one frame and the image in the other, and how many of them have no mask there.
+struct Count {
+  int shown = 0, missing = 0;
+
+  void add(const Small& masked_here, const Small& there) {
+    for (const auto& [id, box] : boxes_of(masked_here.ids)) {
+      cv::Rect found;
+      if (!find_again(masked_here, there, box, found)) continue;
+      const cv::Mat thing = masked_here.ids(box) == id;
+      const int covered = cv::countNonZero(thing & (there.ids(found) != 0));
+      ++shown;
+      if (covered < masked * cv::countNonZero(thing)) ++missing;
+    }
+  }
+};
+
 }  // namespace
 
 Findings check_missing_masks(const Samples& samples) {
   constexpr int least = 20;    // things seen in two frames
   constexpr double most = 10;  // per cent; networks miss some
-  int shown = 0, missing = 0;
+  Count count;
   for (std::size_t i = 1; i < samples.frames.size(); ++i) {
     const Sample &frame = samples.frames[i], &last = samples.frames[i - 1];
     if (!frame.follows || frame.ids.empty() || last.ids.empty() || !has_masks(frame) || !has_masks(last)) continue;
     const Small before = small(last), now = small(frame);
-    for (const auto& [id, box] : boxes_of(before.ids)) {
-      cv::Rect there;
-      if (!find_again(before, now, box, there)) continue;
-      const cv::Mat thing = before.ids(box) == id;
-      const int covered = cv::countNonZero(thing & (now.ids(there) != 0));
-      ++shown;
-      if (covered < masked * cv::countNonZero(thing)) ++missing;
-    }
+    count.add(before, now);
+    count.add(now, before);
   }
-  if (shown < least) return {unknown("masks-missing", "Too few masked things are seen in two frames in a row.")};
-  const double percent = 100.0 * missing / shown;
-  const std::string said = number(percent, 0) + " % of the things that a mask shows have none in the next frame, " +
-                           "though the image shows them there";
+  if (count.shown < least) return {unknown("masks-missing", "Too few masked things are seen in two frames in a row.")};
+  const double percent = 100.0 * count.missing / count.shown;
+  const std::string said = number(percent, 0) +
+                           " % of the things that a mask shows have none in the next frame or in " +
+                           "the one before, though the image shows them there";
   if (percent > most)
     return {faulty("masks-missing", percent, "%", said + ".",
                    "Lower the network's threshold, and give masks of all that can move, whether it moves or stands: "

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "object_score.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
@@ -164,8 +165,20 @@ FramePixels ObjectScorer::add(const runner::RecordingEntry& entry, const runner:
       add_object(entry, previous, result, id, r, range, track != 0 ? track_areas[track] : 0);
   }
   previous_area_ = std::move(areas);
+  previous_time_ = entry.timestamp;
   if (entry.number >= scoring_.from) score_.pixels.push_back(pixels);
   return pixels;
+}
+
+/// Whether the true poses say so of an object since the frame before.
+bool ObjectScorer::turns(const runner::RecordingEntry& entry, const runner::TruthEntry* previous, int id) const {
+  const double seconds = entry.timestamp - previous_time_;
+  if (previous == nullptr || !(seconds > 0)) return false;
+  const auto before = previous->poses.find(id);
+  const auto after = entry.truth.poses.find(id);
+  if (before == previous->poses.end() || after == entry.truth.poses.end()) return false;
+  const Eigen::Matrix4d motion = after->second * before->second.inverse();
+  return rotation_angle_deg(motion.topLeftCorner<3, 3>()) >= turning_deg_per_s * seconds;
 }
 
 void ObjectScorer::add_object(const runner::RecordingEntry& entry, const runner::TruthEntry* previous,
@@ -180,6 +193,7 @@ void ObjectScorer::add_object(const runner::RecordingEntry& entry, const runner:
   const bool slow = truth.moving && truth.speed >= 0 && truth.speed < scoring_.min_speed;
   ++score_.by_speed[speed_class(truth.moving, truth.speed)][where][static_cast<std::size_t>(answer)];
   if (!slow) score_.confusion.add(truth.moving, answer);
+  if (turns(entry, previous, id)) score_.turning.add(truth.moving, answer);
   if (!slow && band != nullptr) band->confusion.add(truth.moving, answer);
   if (object == nullptr) return;
 

@@ -62,12 +62,15 @@ struct Sighting {
   Answer answer = Answer::Missed;
 };
 
+constexpr double turning_deg_per_s = 20;
+
 /// What a run says of objects.
 struct ObjectScore {
   Confusion confusion;
   AnswersBySpeed by_speed{};
   std::array<Band, band_count> bands;
   std::vector<FramePixels> pixels;
+  Confusion turning;  ///< of objects that turn at `turning_deg_per_s` or more
   std::vector<double> instance_iou;
   std::vector<Sighting> sightings;  ///< all, also those too small to count
   int id_switches = 0;
@@ -119,7 +122,10 @@ class ObjectScorer {
 
   ObjectScoring scoring_;
   ObjectScore score_;
+  bool turns(const runner::RecordingEntry& entry, const runner::TruthEntry* previous, int id) const;
+
   std::map<int, long> previous_area_;
+  double previous_time_ = 0;
   std::map<int, std::uint32_t> owner_;
 };
 

@@ -75,6 +75,7 @@ Pooled pool(const std::vector<RunScore>& runs, int every, int first_rate) {
       keep(ratios, ratio(objects.mask_iou(), first_iou(runs, run.name, first_rate)));
     }
     instance_ious.insert(instance_ious.end(), objects.instance_iou.begin(), objects.instance_iou.end());
+    p.turning.add(objects.turning);
     p.id_switches += objects.id_switches;
     keep(speed, objects.speed_coverage());
     keep(sigma, objects.sigma_coverage());

@@ -18,6 +18,7 @@ struct Pooled {
   Confusion confusion;
   std::array<Band, band_count> bands;
   AnswersBySpeed by_speed{};
+  Confusion turning;
   double mask_iou = not_a_number;
   double iou_ratio_mean = not_a_number;
   double iou_ratio_min = not_a_number;

@@ -200,6 +200,7 @@ Json pooled_json(const Pooled& p) {
     json.set(std::string("static_nees_") + band_names[i], p.bands[i].nees_per_axis());
     json.set(std::string("static_within_95_") + band_names[i], p.bands[i].within_95());
   }
+  json.set("turning", Json::object({{"object_frames", p.turning.moving_total()}, {"moving", p.turning.recall()}}));
   json.set("speed_coverage", p.speed_coverage);
   json.set("sigma_coverage", p.sigma_coverage);
   json.set("motion_coverage", p.motion_coverage);

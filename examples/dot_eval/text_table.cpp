@@ -83,6 +83,9 @@ std::string pooled_table(const std::vector<Pooled>& pooled) {
     add(where + "NEES per axis", "%.3f", [i](auto& p) { return p.bands[i].nees_per_axis(); });
     add("  inside the 95 % ellipsoid", "%.3f", [i](auto& p) { return p.bands[i].within_95(); });
   }
+  add("turning at 20 deg/s or more: object-frames", "%.0f",
+      [](auto& p) { return static_cast<double>(p.turning.moving_total()); });
+  add("  called moving", "%.3f", [](auto& p) { return p.turning.recall(); });
   add("coverage of speed, worst sequence", "%.3f", [](auto& p) { return p.speed_coverage; });
   add("  of sigma", "%.3f", [](auto& p) { return p.sigma_coverage; });
   add("  of T_o", "%.3f", [](auto& p) { return p.motion_coverage; });

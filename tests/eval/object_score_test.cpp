@@ -3,6 +3,8 @@
 #include "dot_eval/object_score.hpp"
 #include "support/hand_made_result.hpp"
 
+#include <Eigen/Geometry>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -205,6 +207,30 @@ TEST(ObjectScore, SpeedAndMotionErrorOfMovers) {
   EXPECT_NEAR(score.bands[0].motion_error_m[0], 0.3, 1e-12);
   EXPECT_NEAR(score.bands[0].motion_error_deg[0], 0, 1e-12);
   EXPECT_NEAR(score.bands[0].moving_speed_error[0], 0.5, 1e-12);
+}
+
+TEST(ObjectScore, CountsWhatTurns) {
+  for (const double degrees : {1.5, 2.5, 178.0}) {
+    Scene scene(0);
+    scene.add(1, place_a, true, 0.1);
+    scene.add(2, place_b, true, 0.1);
+    HandMadeResult answer(frame_size);
+    answer.add(7, State::Moving, place_a);
+    answer.add(8, State::Static, place_b);
+    for (const int id : {1, 2}) scene.entry.truth.poses[id] = Eigen::Matrix4d::Identity();
+    ObjectScorer scorer({});
+    scorer.add(scene.entry, scene.truth, nullptr, answer.result());
+    const runner::TruthEntry previous = scene.entry.truth;
+    ++scene.entry.number;
+    scene.entry.timestamp += 0.1;
+    for (const int id : {1, 2})
+      scene.entry.truth.poses[id].topLeftCorner<3, 3>() =
+          Eigen::AngleAxisd(degrees * 3.14159265358979323846 / 180, Eigen::Vector3d(0.6, 0, 0.8)).toRotationMatrix();
+    scorer.add(scene.entry, scene.truth, &previous, answer.result());
+    const Confusion& turning = scorer.score().turning;
+    EXPECT_EQ(turning.of_moving(Answer::Moving), degrees > 2 ? 1 : 0) << degrees;
+    EXPECT_EQ(turning.of_moving(Answer::Static), degrees > 2 ? 1 : 0) << degrees;
+  }
 }
 
 TEST(ObjectScore, RangeIsTheMedianDepthInsideTheMask) {

@@ -219,7 +219,7 @@ TEST(MemoryShortage, HasOneAllocationFail) {
 }
 
 // Sanitizers make each life ten times as long.
-const long every = AllocationCounter::sees_malloc() ? 1 : 7;
+const long every = AllocationCounter::sees_malloc() ? 1 : 29;
 
 TEST(OutOfMemory, OnceInOneThread) { try_all(1, MemoryShortage::Once, every); }
 TEST(OutOfMemory, LastingInOneThread) { try_all(1, MemoryShortage::Lasting, every); }

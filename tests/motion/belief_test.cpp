@@ -265,6 +265,36 @@ TEST(Belief, WhatTurnsOnTheSpotMoves) {
   EXPECT_LT(log_odds_after(turning_fit(0.6, 0.05), 3, without), -3);
 }
 
+/// Log odds after a second of fits, each with an error of its own of N(0, sigma^2). @param span frames of each fit
+double log_odds_in_time(const MotionEstimate& truth, double sigma, unsigned seed, int span = 1) {
+  Random random(seed);
+  Belief belief;
+  Vector3<double> error = Vector3<double>::Zero();
+  for (int i = 0; i < 10; ++i) {
+    MotionEstimate e = truth;
+    if (i % span == 0) error = random.normal3(sigma);  // overlapping fits have the same
+    e.angular_velocity += error;
+    e.span_frames = span, e.span_seconds = 0.1 * span;
+    belief.update(e, settings.v0_at(e.range), settings);
+    belief.predict(0.1, I, settings);
+  }
+  return belief.log_odds;
+}
+
+// One fit of 26 degrees a second that is right to 5 may be wrong. Ten that agree are not.
+TEST(Belief, FitsThatAgreeOnATurnAreEvidence) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    EXPECT_GT(log_odds_in_time(turning_fit(0.45, 0.09), 0.09, seed), 3) << seed;
+    EXPECT_LT(log_odds_in_time(turning_fit(0, 0.09), 0.09, seed), -2) << seed;
+    EXPECT_LT(log_odds_in_time(turning_fit(0, 0.09), 0.2, seed), -1) << seed;  // worse than they say
+  }
+}
+
+TEST(Belief, FitsThatOverlapAreNoEvidenceForEachOther) {
+  for (unsigned seed = 0; seed < 20; ++seed)
+    EXPECT_LT(log_odds_in_time(turning_fit(0, 0.05), 0.1, seed, 3), -1) << seed;
+}
+
 TEST(Belief, AMoverThatDoesNotTurnLosesNothing) {
   MotionEstimate mover = turning_fit(0, 0.05), unknown = mover;
   mover.velocity = unknown.velocity = {0.012, 0, 0};  // little more than v0
@@ -278,6 +308,8 @@ TEST(Belief, ARotationOfAFarObjectIsNoEvidence) {
   far.inertia = 5 * I;  // of a truck
   far.covariance = 0.04 * I;
   EXPECT_LT(log_odds_after(far, 3, settings), 0);
+  far.angular_velocity[1] = 0.5;
+  EXPECT_LT(log_odds_in_time(far, 0.03, 1), -2);  // nor where all fits agree: errors of the depth stay
 }
 
 TEST(Belief, NothingThatIsNotFiniteEnters) {

@@ -8,6 +8,7 @@
 
 #include "dot/motion/estimate.hpp"
 #include "dot/motion/settings.hpp"
+#include "dot/motion/turning.hpp"
 #include "dot/motion/velocity_trust.hpp"
 #include "dot/statistics/chi2.hpp"
 
@@ -33,18 +34,20 @@ DOT_BEGIN_NAMESPACE
 ///     moves : stands = (1 - p) B_v + p B_w (1 + B_v) / 2
 ///
 /// B_v is the Bayes factor of the velocity above. B_w is that of the rotation: the speed that it gives to the points,
-/// u = J^(1/2) w (MotionEstimate), is N(0, U) without turning, and N(0, U + prior_turn^2 J) with. An object that does
-/// not turn thus loses nothing by the second hypothesis.
+/// u = J^(1/2) w (MotionEstimate), is N(0, U) without turning. With turning it is predicted by the fits before
+/// (Turning), mixed with a fresh N(0, U + prior_turn^2 J). An object that does not turn thus loses nothing by the
+/// second hypothesis.
 ///
 /// The belief depends on time, not on the number of frames. Fits of frames in close succession share most of their
 /// errors. So the fits of kIndependentSeconds together count as one, and the belief is the same at any frame rate.
 /// Values that are not finite do not change a belief.
 struct Belief {
-  static constexpr double kIndependentSeconds = 0.1;   ///< from here on errors of two fits are independent
+  /// From here on errors of two fits are independent.
+  static constexpr double kIndependentSeconds = Turning::kIndependentSeconds;
   static constexpr double kAccelerationSeconds = 0.1;  ///< duration of an acceleration
   static constexpr double kDrift = 0.35;               ///< share of v0: velocity sigma under *stands*
   static constexpr double kTurnDrift = 0.1;            ///< the same of u, share of v0_per_square_metre times range^2
-  static constexpr double kFreshShare = 0.1;           ///< share of a new velocity beside the prediction
+  static constexpr double kFreshShare = 0.1;           ///< share of a new motion beside the prediction
   static constexpr double kFastVariance = 25;          ///< of motorway speeds, over ordinary speeds
   static constexpr double kOutlierVariance = 36;       ///< of a wrong fit's velocity, over ordinary speeds
 
@@ -53,6 +56,7 @@ struct Belief {
   Vector3<double> velocity = Vector3<double>::Zero();    ///< under *moves*; m/s, axes of the newest camera
   Matrix3<double> covariance = Matrix3<double>::Zero();  ///< zero: no filter yet
   VelocityTrust trust;                                   ///< in the filter
+  Turning turning;                                       ///< its angular velocity, if it turns
 
   /// Probability that it moves, 0 to 1.
   double p_moving() const { return 1 / (1 + std::exp(-log_odds)); }
@@ -73,7 +77,7 @@ struct Belief {
 
   void weigh(const MotionEstimate& e, double v0, const VelocitySettings& s);
   double translates_or_stands(const MotionEstimate& e, double v0, double speed2, const VelocitySettings& s) const;
-  static double turns_or_not(const MotionEstimate& e, double v0, const VelocitySettings& s);
+  double turns_or_not(const MotionEstimate& e, double v0, const VelocitySettings& s) const;
   void filter(const MotionEstimate& e, double speed2);
   static double density(const Vector3<double>& x, const Matrix3<double>& S);
   static double hypothesis(const Vector3<double>& v, const Matrix3<double>& V, const Vector3<double>& m,

@@ -52,7 +52,7 @@ struct VelocitySettings {
   double photometric_scale = 3;            ///< largest inflation of Sigma_x: residuals of close points are correlated
   double rotation_scale = 3;               ///< further inflation of the rotation's covariance
   double floor = 0.03;                     ///< m/s per axis, never more certain
-  double floor_per_square_metre = 0.0012;  ///< 1/(m s): the floor of near objects, likewise
+  double floor_per_square_metre = 0.0007;  ///< 1/(m s): the floor of near objects, likewise
   double decide = 0.90;                    ///< probability at which a state is reached
   double keep = 0.80;                      ///< probability down to which it is kept
   double switch_rate = 0.04;               ///< 1/s: how often objects start or stop moving

@@ -19,6 +19,7 @@ DOT_INLINE void Belief::predict(double dt, const Matrix3<double>& R_cur_prev, co
   const double p = p_moving(), change = std::min(0.5, s.switch_rate * dt);
   const double q = p * (1 - change) + (1 - p) * change;
   log_odds = std::log(q / (1 - q));
+  turning.predict(dt, R_cur_prev, s.prior_turn);
   if (!has_velocity()) return;
   // Accelerations last for tau, so the variance grows by a^2 tau per second.
   covariance += Matrix3<double>::Identity() * sq(s.acceleration) * kAccelerationSeconds * dt;
@@ -33,7 +34,9 @@ DOT_INLINE void Belief::update(const MotionEstimate& e, double v0, const Velocit
     return;
   Belief after = *this;
   after.weigh(e, v0, s);
-  if (std::isfinite(after.log_odds) && after.velocity.allFinite() && after.covariance.allFinite()) *this = after;
+  if (std::isfinite(after.log_odds) && after.velocity.allFinite() && after.covariance.allFinite() &&
+      after.turning.all_finite())
+    *this = after;
 }
 
 DOT_INLINE void Belief::weigh(const MotionEstimate& e, double v0, const VelocitySettings& s) {
@@ -48,6 +51,7 @@ DOT_INLINE void Belief::weigh(const MotionEstimate& e, double v0, const Velocity
     moves_or_stands = (1 - p_turning) * moves_or_stands + p_turning * turns;
     p_turning = std::clamp(p_turning * std::pow(turns / moves_or_stands, share),
                            std::min(kLeastTurning, s.most_turning), s.most_turning);
+    turning.update(e, s.prior_turn);
   }
   const double cap = std::min(s.max_evidence_rate * frame, s.max_evidence);
   const double evidence = share * std::log(moves_or_stands);
@@ -87,8 +91,8 @@ DOT_INLINE double Belief::translates_or_stands(const MotionEstimate& e, double v
 
 /// Bayes factor of an angular velocity against none. It compares the speeds that the turning gives to the points,
 /// J^(1/2) w, because they have the units of v0. They are wrong by errors of the depth, which grow with the square of
-/// the range without an end.
-DOT_INLINE double Belief::turns_or_not(const MotionEstimate& e, double v0, const VelocitySettings& s) {
+/// the range without an end, and which stay: what does not turn is wrong by what the fits before say of this drift.
+DOT_INLINE double Belief::turns_or_not(const MotionEstimate& e, double v0, const VelocitySettings& s) const {
   const Matrix3<double> L = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(e.inertia).operatorSqrt();
   const Vector3<double> u = L * e.angular_velocity;
   const Matrix3<double> U = L * e.angular_covariance * L;
@@ -96,11 +100,21 @@ DOT_INLINE double Belief::turns_or_not(const MotionEstimate& e, double v0, const
       sq(kTurnDrift * s.v0_per_square_metre * e.range * e.range) * Matrix3<double>::Identity();
   const Matrix3<double> prior = sq(s.prior_turn) * e.inertia;
   const double outlier = s.outliers * density(u, U + drift + kOutlierVariance * prior);
+
+  const Turning::Rate* predicted = turning.before(e);
+  Vector3<double> m = Vector3<double>::Zero(), drift_mean = m;
+  Matrix3<double> P = Matrix3<double>::Zero(), drift_left = drift;
+  if (predicted) {
+    m = L * predicted->mean, P = L * predicted->covariance * L;
+    const Matrix3<double> K = drift * (drift + P).inverse();
+    drift_mean = K * m, drift_left -= K * drift;
+  }
   double turns = 0, not_turns = 0;
-  for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, U + drift},
-                                 std::pair<double, Matrix3<double>>{s.tail_share, s.tail_variance * U + drift}}) {
-    not_turns += share * density(u, S);
-    turns += share * hypothesis(u, S, Vector3<double>::Zero(), prior, v0);
+  for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, U},
+                                 std::pair<double, Matrix3<double>>{s.tail_share, s.tail_variance * U}}) {
+    not_turns += share * density(u - drift_mean, S + drift_left);
+    const double fresh = hypothesis(u, S + drift, Vector3<double>::Zero(), prior, v0);
+    turns += share * (predicted ? (1 - kFreshShare) * hypothesis(u, S + drift, m, P, v0) + kFreshShare * fresh : fresh);
   }
   return ((1 - s.outliers) * turns + outlier + kTiny) / ((1 - s.outliers) * not_turns + outlier + kTiny);
 }

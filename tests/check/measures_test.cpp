@@ -259,7 +259,17 @@ TEST(CheckMasks, CountsThingsThatLoseTheirMask) {
   // A segmentation that was not made is none that misses things.
   for (check::Sample& frame : samples.frames)
     if (frame.index % 3 == 2) frame.ids = cv::Mat();
+  expect_fine(find(check::check_missing_masks(samples), "masks-missing"));
+  for (check::Sample& frame : samples.frames)
+    if (frame.index % 3 == 1) frame.ids = cv::Mat();
   EXPECT_EQ(find(check::check_missing_masks(samples), "masks-missing").verdict, Verdict::Unknown);
+}
+
+// Those that only the frame after shows.
+TEST(CheckMasks, CountsThingsThatHaveNoMaskYet) {
+  Samples samples = made_samples();
+  samples.frames[0].ids.setTo(0);
+  EXPECT_GT(find(check::check_missing_masks(samples), "masks-missing").figure, 0);
 }
 
 TEST(CheckExposure, MeasuresJumpsAndBands) {

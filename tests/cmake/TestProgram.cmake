@@ -5,13 +5,14 @@ include(GoogleTest)
 
 set(DOT_TEST_TIMEOUT 300 CACHE STRING "seconds that one test may take; more where an emulator runs it")
 
-# Left out with sanitizers: long films and statistics over many seeds, of code that other tests run as well.
+# Left out with sanitizers: long films, statistics over many seeds and counts of allocations, of code that other tests run
+# as well.
 set(unsanitized
     DepthGradient.LeftOutOfTheDerivativeItCostsNothingOnSlantedPlanes
     Departing.FlipsWithinHalfASecond
     FrameRate.DecisionsAndVelocitiesAreThoseOfTheTime
     LostCamera.MakesNothingMove
-    SteadyState.WithFramesMicrosecondsApart)
+    SteadyState.*)
 
 # dot_test_program(<target> <module> [LABELS <label>...]): the tests of a GoogleTest program, as <module>.<suite>.<name>.
 # With sanitizers a program takes most of a second to start, so there all of its tests are one, named <module>.

@@ -243,8 +243,8 @@ sanitize() {
   ctest --preset asan-ubsan -j2
   sanitize_with tsan test_trackers_at_once test_threads_test test_real_time
   say "testing with the thread sanitizer"
-  # Without OpenCV's threads, says the preset: its pool is not built for this sanitizer, which cannot see how it
-  # synchronises.
+  # Without OpenCV's threads, say the preset and tests/cmake/TestProgram.cmake: its pool is not built for this sanitizer,
+  # which cannot see how it synchronises.
   ctest --preset tsan
 }
 

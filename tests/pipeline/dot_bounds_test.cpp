@@ -189,6 +189,7 @@ TEST(Bounds, TracksAreNoMoreThanTwiceTheInstancesAllowed) {
   EXPECT_LE(most, 60u + 30u) << "those that are dropped are told of once";
 }
 
+#ifndef DOT_TEST_DEFAULT_POLICIES
 /// Alignments that each object costs in a frame of which no mask belongs to any of them.
 double alignments_per_object(int columns, int rows) {
   Wall wall(columns, rows, 16, 48);
@@ -207,5 +208,6 @@ TEST(Bounds, MasksThatFitNothingCostEachObjectTheSame) {
   EXPECT_GT(few, 1);
   EXPECT_LT(many, 3 * few) << "starts grow with the number of masks";
 }
+#endif
 
 }  // namespace

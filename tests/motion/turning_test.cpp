@@ -59,11 +59,12 @@ TEST(Turning, IsTheMeanOfItsFits) {
 TEST(Turning, IsComparedWithFitsOfOtherTimes) {
   Turning turning;
   for (int i = 0; i < 9; ++i) {
-    const MotionEstimate e = fit({0, 0.1 * i, 0}, 0.01, 0.3);
+    MotionEstimate e = fit({0, 0.1 * i, 0}, 0.01, 0.3);
+    e.span_frames = 3;
     const Turning::Rate* rate = turning.before(e);
     ASSERT_EQ(rate != nullptr, i >= 3) << i;
     if (rate) {
-      EXPECT_GE(rate->age, 0.299) << i;
+      EXPECT_GE(rate->age, 0.199) << i;  // a frame before the end of the fit
       EXPECT_LE(rate->mean[1], 0.1 * (i - 3) + 0.01) << i;
     }
     turning.update(e, prior);
@@ -83,6 +84,22 @@ TEST(Turning, DoesNotDependOnTheFrameRate) {
     sigma[rate > 10] = std::sqrt(known->covariance(1, 1));
   }
   EXPECT_NEAR(sigma[1], sigma[0], 0.15 * sigma[0]);
+}
+
+// Frames that come early and late: neighbours do not overlap.
+TEST(Turning, TakesEachFitOfAClockThatJitters) {
+  Turning turning;
+  for (int i = 0; i < 9; ++i) {
+    const double dt = i % 2 == 0 ? 0.18 : 0.22;
+    const MotionEstimate e = fit({0, 0.1 * i, 0}, 0.01, dt);
+    const Turning::Rate* rate = turning.before(e);
+    ASSERT_EQ(rate != nullptr, i > 0) << i;
+    if (rate) {
+      EXPECT_NEAR(rate->mean[1], 0.1 * (i - 1), 0.01) << i;
+    }
+    turning.update(e, prior);
+    turning.predict(dt, I, prior);
+  }
 }
 
 TEST(Turning, IsGivenInTheNewestCamerasAxes) {

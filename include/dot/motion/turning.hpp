@@ -24,7 +24,7 @@ class Turning {
   struct Rate {
     Vector3<double> mean = Vector3<double>::Zero();        ///< rad/s, axes of the newest camera
     Matrix3<double> covariance = Matrix3<double>::Zero();  ///< zero: not known
-    double age = 0;                                        ///< seconds since the last fit in it
+    double age = 0;                                        ///< seconds from its last fit's end to the newest camera
 
     /// Whether it contains a fit.
     bool known() const { return covariance(0, 0) > 0; }
@@ -46,14 +46,14 @@ class Turning {
   /// What the fits before the interval of a fit predict for it, in the axes of the filter; null: nothing.
   const Rate* before(const MotionEstimate& fit) const {
     for (const Rate* rate : {&newest_, &before_})
-      if (rate->known() && ends_before(*rate, fit.span_seconds)) return rate;
+      if (rate->known() && ends_before(*rate, fit, fit.span_seconds)) return rate;
     return nullptr;
   }
 
   /// Updates by a fit in the axes of the filter. A fit that contradicts it starts it anew. @param sigma as for
   /// predict()
   void update(const MotionEstimate& fit, double sigma) {
-    if (newest_.known() && !ends_before(newest_, std::max(fit.span_seconds, kIndependentSeconds))) return;
+    if (newest_.known() && !ends_before(newest_, fit, std::max(fit.span_seconds, kIndependentSeconds))) return;
     const Vector3<double>& w = fit.angular_velocity;
     const Matrix3<double>& W = fit.angular_covariance;
     before_ = newest_;
@@ -64,15 +64,19 @@ class Turning {
     newest_.mean += K * (w - newest_.mean);
     const Matrix3<double> rest = newest_.covariance - K * newest_.covariance;
     newest_.covariance = 0.5 * (rest + rest.transpose());
-    newest_.age = 0;
+    newest_.age = -frame_of(fit);
   }
 
   /// Whether all of it is finite.
   bool all_finite() const { return newest_.mean.allFinite() && newest_.covariance.allFinite(); }
 
  private:
-  /// Times are differences of timestamps, which are rounded.
-  static bool ends_before(const Rate& rate, double span) { return rate.age >= 0.999 * span; }
+  /// A fit ends a frame after the filter's camera, which is that of the fit's last but one image.
+  static double frame_of(const MotionEstimate& fit) { return fit.span_seconds / fit.span_frames; }
+  /// Whether the last fit in it ended so long before the end of this one. Timestamps are rounded.
+  static bool ends_before(const Rate& rate, const MotionEstimate& fit, double seconds) {
+    return rate.age + frame_of(fit) >= 0.999 * seconds;
+  }
 
   Rate newest_, before_;
 };

@@ -106,7 +106,7 @@ DOT_INLINE double Belief::turns_or_not(const MotionEstimate& e, double v0, const
   Matrix3<double> P = Matrix3<double>::Zero(), drift_left = drift;
   if (predicted) {
     m = L * predicted->mean, P = L * predicted->covariance * L;
-    const Matrix3<double> K = drift * (drift + P).inverse();
+    const Matrix3<double> K = Matrix3<double>((drift + P).ldlt().solve(drift)).transpose();  // zero without drift
     drift_mean = K * m, drift_left -= K * drift;
   }
   double turns = 0, not_turns = 0;

@@ -47,21 +47,22 @@ struct DirectAligner {
 
   /// Rejects outliers by their distance to the fitted line between intensities (paper, section 3.4), refines once more
   /// on level 0, and fills the statistics.
-  /// @param just_aligned `a` was returned by the last call on this aligner. Then the points that it excluded do not
-  /// count for the residual scale. Otherwise all points count, because the exclusions are of another alignment.
+  /// @param just_aligned `a` was returned by the last call on this aligner, for level 0. Then the points that it
+  /// excluded do not count for the residual scale. Otherwise all points count, because the exclusions are of another
+  /// alignment.
   template <typename Camera>
   void reject_outliers_and_refit(const AlignProblem<Camera>& problem, Alignment& a, bool just_aligned = false) {
     const auto size = static_cast<std::size_t>(problem.points.size());
-    if (!just_aligned || excluded_.size() != size) excluded_.assign(size, 0);
-    residuals(problem, 0, a.state, a.sigma_intensity);
-    a.sigma_intensity = scale_of_residuals();
     const PointResiduals& p = residuals_;
+    if (!just_aligned || excluded_.size() != size) excluded_.assign(size, 0);
+    if (!just_aligned || !are_final_ || p.size() != size) residuals(problem, 0, a.state, a.sigma_intensity);
+    a.sigma_intensity = scale_of_residuals();
     const auto r2 = [&](std::size_t i) { return sq(static_cast<double>(p.r[i])); };
     const auto s2 = [&](std::size_t i) { return sq(a.sigma_intensity) + static_cast<double>(p.extra[i]); };
     exclude_outliers(a);
-    refine(problem, 0, a, true);
+    refine(problem, 0, a, true, false, true);
     // Statistics over all points, including the excluded ones.
-    residuals(problem, 0, a.state, a.sigma_intensity);
+    if (!are_final_) residuals(problem, 0, a.state, a.sigma_intensity);
     Pearson pearson;
     double sum = 0;
     scratch_.clear();
@@ -189,6 +190,7 @@ struct DirectAligner {
     reduction.residuals(problem.points, level, problem.camera.at_level(level),
                         problem.image.levels[static_cast<std::size_t>(level)], state, residual_noise(sigma_intensity),
                         problem.depth_at(level), residuals_);
+    are_final_ = false;
   }
 
   /// Robust sigma_I of the residuals that are not excluded: that for which the median of r^2 / (sigma_I^2 + extra) is
@@ -227,11 +229,13 @@ struct DirectAligner {
   }
 
   /// Gauss-Newton on one level. On level 0 it is repeated if the first round changed the residual scale or did not
-  /// converge.
+  /// converge. @param near as in `align_near`. @param has_residuals those of `a` were computed last.
   template <typename Camera>
-  void refine(const AlignProblem<Camera>& problem, int level, Alignment& a, bool want_covariance, bool near = false);
+  void refine(const AlignProblem<Camera>& problem, int level, Alignment& a, bool want_covariance, bool near = false,
+              bool has_residuals = false);
 
   PointResiduals residuals_;
+  bool are_final_ = false;  ///< whether they are those of the state after `refine`, on level 0
   std::vector<std::uint8_t> excluded_;
   Buffer<float> scratch_, magnitudes_;
 };

@@ -8,6 +8,7 @@
 
 #include "dot/abi.hpp"
 #include "dot/align/align_state.hpp"
+#include "dot/image/buffer.hpp"
 #include "dot/image/pyramid.hpp"
 #include "dot/kernel/photometric.hpp"
 #include "dot/points/point_set.hpp"
@@ -51,17 +52,17 @@ struct ResidualNoise {
 
 /// Residuals at a pose: structure of arrays with one value per point, zero if the point is not seen.
 struct PointResiduals {
-  std::vector<float> r;                  ///< grey values
-  std::vector<float> extra;              ///< variance besides sigma_I^2
-  std::vector<float> value;              ///< I_i(p')
-  std::vector<float> r_depth;            ///< measured minus predicted inverse depth, 1/m
-  std::vector<std::uint8_t> visibility;  ///< a sum of kernel::kSeen, kHasDepth, kOccluded
+  Buffer<float> r;                  ///< grey values
+  Buffer<float> extra;              ///< variance besides sigma_I^2
+  Buffer<float> value;              ///< I_i(p')
+  Buffer<float> r_depth;            ///< measured minus predicted inverse depth, 1/m
+  Buffer<std::uint8_t> visibility;  ///< a sum of kernel::kSeen, kHasDepth, kOccluded
 
   /// Number of points.
   std::size_t size() const { return r.size(); }
   /// Sets the number of points. The contents are unspecified afterwards.
   void resize(std::size_t n) {
-    for (std::vector<float>* a : {&r, &extra, &value, &r_depth}) a->resize(n);
+    for (Buffer<float>* a : {&r, &extra, &value, &r_depth}) a->resize(n);
     visibility.resize(n);
   }
   /// Whether the point is inside the image and nothing hides it.

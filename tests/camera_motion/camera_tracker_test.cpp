@@ -23,7 +23,7 @@ struct Drive : StageFilm {
   dot::CameraMotionEstimator estimator;
   dot::CameraTracker<dot::Pinhole, dot::DepthNoise, dot::DirectAligner<>> tracker;
   dot::ObjectWorkspace<dot::DirectAligner<>> workspace;
-  dot::Image<std::uint8_t> labels;
+  dot::PaintedImage<std::uint8_t> labels;
   bool enough = false;
 
   static Film<> scene() {
@@ -32,10 +32,7 @@ struct Drive : StageFilm {
     film.degradation.noise = 1;
     return film;
   }
-  Drive() : StageFilm(scene()) {
-    labels.resize(camera.width(), camera.height());
-    labels.fill(0);
-  }
+  Drive() : StageFilm(scene()) { labels.clear(camera.width(), camera.height()); }
 
   std::vector<const dot::PointSet*> objects;
 
@@ -124,7 +121,8 @@ TEST(CameraTracker, WhatFollowsAGuessIsAsUnsureAsThatGuess) {
 
 TEST(CameraTracker, HasNoPointsWhereObjectsAre) {
   Drive drive;
-  drive.labels.fill(1);
+  drive.labels.image().fill(1);
+  drive.labels.add({0, 0, drive.camera.width(), drive.camera.height()});
   drive.next();
   EXPECT_FALSE(drive.enough);
 }

@@ -95,4 +95,17 @@ TEST(Candidacy, OneFrameDoesNotOutweighThoseBefore) {
   EXPECT_EQ(candidacy.support, 0) << "after a long gap this frame alone counts";
 }
 
+/// Else what flickers for ever would be followed for ever, in place of something that moves.
+TEST(Candidacy, FailsIfItIsNotConfirmedForLong) {
+  Candidacy flickers, moves;
+  flickers.is_candidate = moves.is_candidate = true;
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(flickers.has_failed(), i * dt > Candidacy::kTrialSeconds + 1e-9) << i;
+    flickers.confirm(fitted({i % 2 ? -3. : 3., 0, 0}), believed({0, 3, 0}), {}, dt);
+    moves.confirm(fitted({3, 0, 0}), believed({3, 0, 0}), {}, dt);
+  }
+  EXPECT_TRUE(flickers.has_failed());
+  EXPECT_FALSE(moves.has_failed());
+}
+
 }  // namespace

@@ -72,9 +72,9 @@ TEST(Labeller, WritesStatesAndIdsTheNearestOnTop) {
   scene.label({{10, 30, 10, 20, kObject, 1}, {20, 40, 10, 20, kNear, 2}}, true);
   EXPECT_EQ(scene.labeller.ids()(12, 12), 1u);
   EXPECT_EQ(scene.labeller.ids()(25, 12), 2u);
-  EXPECT_EQ(scene.labeller.labels()(12, 12), static_cast<int>(State::Static));
-  EXPECT_EQ(scene.labeller.labels()(25, 12), static_cast<int>(State::Moving));
-  EXPECT_EQ(scene.labeller.labels()(5, 5), 0);
+  EXPECT_EQ(scene.labeller.labels().image()(12, 12), static_cast<int>(State::Static));
+  EXPECT_EQ(scene.labeller.labels().image()(25, 12), static_cast<int>(State::Moving));
+  EXPECT_EQ(scene.labeller.labels().image()(5, 5), 0);
   EXPECT_EQ(far.outline.mask.box(), (std::array<int, 4>{10, 10, 10, 10})) << "what is visible of it";
 }
 

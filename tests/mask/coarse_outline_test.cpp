@@ -115,6 +115,7 @@ TEST(CoarseOutline, PredictsWhereTheExactOneIs) {
         exact.warp_by(T, nothing.levels[0], kCamera, untrimmed, workspace);
         EXPECT_TRUE(predicted.is_coarse);
         EXPECT_FALSE(exact.is_coarse);
+        EXPECT_TRUE(predicted.warped.inverse_depth.empty());
         EXPECT_GT(dot::iou(predicted.warped.mask, exact.warped.mask), 0.9) << size << ' ' << t.transpose();
         EXPECT_NEAR(predicted.warped.expected_area, exact.warped.expected_area, 0.1 * exact.warped.expected_area);
       }
@@ -159,6 +160,23 @@ TEST(CoarseOutline, StaysInsideTheImage) {
     outline.predict_by({}, frame->depth, kCamera, {}, workspace);
     EXPECT_GT(dot::iou(outline.warped.mask, mask), 0.5) << mask.area;
   }
+}
+
+TEST(CoarseOutline, GivesItsSurfaceOnRequest) {
+  const Mask mask = ellipse(340, 230, 150, 105);
+  const dot::FramePtr frame = frame_of({{mask, kObject}});
+  dot::OutlineWorkspace workspace;
+  TrackedOutline outline;
+  outline.take(mask, {}, frame, 0.01, kCamera, {}, workspace);
+  outline.predict_by({}, frame->depth, kCamera, {}, workspace, true);
+  ASSERT_TRUE(outline.is_coarse);
+  const dot::WarpedMask& warped = outline.warped;
+  ASSERT_EQ(warped.inverse_depth.width(), warped.mask.width());
+  for (int y = 0; y < warped.mask.height(); ++y)
+    for (int x = 0; x < warped.mask.width(); ++x)
+      if (warped.mask.pixels(x, y)) {
+        ASSERT_NEAR(warped.inverse_depth(x, y), kObject, 0.05 * kObject);
+      }
 }
 
 /// Beside an object without depth, blocks at its border have that of what is behind it.

@@ -71,8 +71,7 @@ struct StageSetup {
   Threads threads;
 
   operator Setup() const {
-    return {camera,  classifier, noise, estimator, mask, selection, DepthSource::Rgbd, portable_kernels(),
-            threads, false};
+    return {camera, classifier, noise, estimator, mask, selection, DepthSource::Rgbd, portable_kernels(), threads};
   }
 };
 

@@ -132,4 +132,22 @@ TEST(Tracks, AreCarriedWithoutOldFramesAfterAGap) {
   EXPECT_EQ(street.tracks.size(), 2u);
 }
 
+/// A belt or a noisy sensor gives dozens of regions.
+TEST(Tracks, FollowAFewCandidatesAtATime) {
+  StageStreet street;
+  street.next(false);
+  for (int i = 0; i < 3 * dot::Candidacy::kMost; ++i) {
+    dot::Mask region;
+    dot::fill_mask(
+        {4 + 12 * i, 20, 10, 12}, [](int, int) { return true; }, region);
+    street.observations.add_discovered(region, street.cur->inverse_depth(), street.camera);
+  }
+  street.play(false);
+  ASSERT_EQ(street.tracks.size(), static_cast<std::size_t>(dot::Candidacy::kMost));
+  for (const Track* t : street.tracks.all()) {
+    EXPECT_TRUE(t->candidacy.is_candidate);
+    EXPECT_LT(t->observed->mask.x, 4 + 12 * dot::Candidacy::kMost) << "they are in the order of their sizes";
+  }
+}
+
 }  // namespace

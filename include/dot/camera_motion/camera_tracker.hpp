@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "dot/camera_motion/background.hpp"
+#include "dot/camera_motion/background_mask.hpp"
 #include "dot/camera_motion/bias_learning.hpp"
 #include "dot/camera_motion/depth_learning.hpp"
 #include "dot/camera_motion/estimator.hpp"
 #include "dot/camera_motion/first_intervals.hpp"
 #include "dot/frame/frame.hpp"
 #include "dot/frame/frame_data.hpp"
-#include "dot/image/morphology.hpp"
+#include "dot/mask/painted_image.hpp"
 #include "dot/points/select.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -47,7 +48,7 @@ class CameraTracker {
   /// Selects the points for measuring the next frame's motion, outside all objects.
   /// @param step led to `cur`. @param labels non-zero where objects are.
   /// @return whether there are enough of them. Otherwise the present points are kept for the next frame.
-  bool take_background(const FrameData& cur, const CameraStep& step, const Image<std::uint8_t>& labels,
+  bool take_background(const FrameData& cur, const CameraStep& step, const PaintedImage<std::uint8_t>& labels,
                        const Selector<Camera, Noise>& select, int min_points);
 
   /// The bias to be subtracted from the next frame's depth.
@@ -93,8 +94,7 @@ class CameraTracker {
   DepthBiasLearning bias_learning_;
 
   PointSet fresh_;
-  Image<std::uint8_t> mask_;       ///< 255: background, some pixels away from any object
-  Image<std::uint8_t> mask_rows_;  ///< scratch of its erosion
+  BackgroundMask mask_;
   std::vector<SE3d> starts_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,8 @@ struct DepthLearning {
   static constexpr int kWidth = 40;                  ///< pixels: patch
   static constexpr int kHeight = 30;                 ///< pixels: patch
   static constexpr int kStep = 4;                    ///< pixels: from one sample to the next
-  static constexpr int kMinSamples = 40;             ///< of the 80 of a patch
+  static constexpr int kSamples = 80;                ///< of a patch
+  static constexpr int kMinSamples = 40;             ///< that must be measured
   static constexpr int kPatches = 180;               ///< enough patches of a frame
   static constexpr double kMinMotion = 1.5;          ///< pixels, median over the samples
   static constexpr double kSharedQuantile = 0.85;    ///< of the patches' errors, whose tails are heavy
@@ -183,7 +185,8 @@ struct DepthLearning {
   void compare_patch(const Camera& camera, const Patches& p, std::size_t k, float bias, const Matrix3<float>& R,
                      const Vector3<float>& t, const Image<float>& inverse_depth, const DepthNoise& noise,
                      bool scatter) {
-    differences_.clear();
+    std::array<float, kSamples> differences;
+    std::size_t count = 0;
     float q_min = 1e9f, q_max = 0;
     Vector3<float> last_ray = Vector3<float>::Zero();
     Vector2<float> last_position = Vector2<float>::Zero();
@@ -200,29 +203,30 @@ struct DepthLearning {
       const float measured = inverse_depth(static_cast<int>(x), static_cast<int>(y));
       if (measured <= 0) continue;
       const float predicted = q / X.z();
-      differences_.push_back(measured - predicted);
+      differences[count++] = measured - predicted;
       last_ray = ray, last_position = position;
       q_min = std::min(q_min, predicted);
       q_max = std::max(q_max, predicted);
     }
-    if (static_cast<int>(differences_.size()) < kMinSamples) return;
+    if (static_cast<int>(count) < kMinSamples) return;
+    const auto end = differences.begin() + static_cast<std::ptrdiff_t>(count);
     const double middle = 0.5 * static_cast<double>(q_min + q_max);
     const double other_surface = kOtherSurface * noise.prior_pixel_sigma(middle);
     const double relief = std::max(other_surface, kRelief * middle);
     if (static_cast<double>(q_max - q_min) > relief) return;  // more than one surface
-    const float m = lower_median(differences_.begin(), differences_.end());
+    const float m = lower_median(differences.begin(), end);
     if (static_cast<double>(std::abs(m)) > other_surface) return;  // something nearer hides it now
     motion_.push_back((last_position - camera.template project<float>(last_ray)).norm());
     medians_.push_back(static_cast<float>(std::abs(m) / noise.prior_shared_sigma(middle)));
     if (!scatter) return;
-    for (float& d : differences_) d = std::abs(d - m);
+    std::for_each(differences.begin(), end, [m](float& d) { d = std::abs(d - m); });
     scatters_.push_back(static_cast<float>(static_cast<double>(kSigmaOfMedian) *
-                                           static_cast<double>(lower_median(differences_.begin(), differences_.end())) /
+                                           static_cast<double>(lower_median(differences.begin(), end)) /
                                            std::sqrt(2.0) / noise.prior_pixel_sigma(middle)));
   }
 
   int first_ = 0;  ///< patch of the first row
-  std::vector<float> differences_, medians_, scatters_, motion_;
+  std::vector<float> medians_, scatters_, motion_;
 };
 
 DOT_END_NAMESPACE

@@ -33,21 +33,58 @@ class CellWarp {
       }
   }
 
+  /// Moves all cells of row y by T, for `is_seen`. The loop has no branches, so that compilers generate SIMD code from
+  /// it for simple cameras. @param q their inverse depths, 1/m, 0 = none.
+  void move_row(const Camera& camera, const SE3f& T, int y, const float* q) {
+    const Matrix3<float> R = T.R;
+    const Vector3<float> t = T.t;
+    row_.resize(x_.width(), 3);
+    const float *ray_x = x_.row(y), *ray_y = y_.row(y);
+    float *u = row_.row(0), *v = row_.row(1), *z = row_.row(2);
+    for (int x = 0; x < x_.width(); ++x) {
+      const Vector3<float> X(R(0, 0) * ray_x[x] + R(0, 1) * ray_y[x] + R(0, 2) + t.x() * q[x],
+                             R(1, 0) * ray_x[x] + R(1, 1) * ray_y[x] + R(1, 2) + t.y() * q[x],
+                             R(2, 0) * ray_x[x] + R(2, 1) * ray_y[x] + R(2, 2) + t.z() * q[x]);
+      const Vector2<float> p = camera.template project<float>(X);
+      u[x] = p.x(), v[x] = p.y(), z[x] = X.z();
+    }
+  }
+  /// Cell x of the row that was moved last. @param q its inverse depth, > 0.
+  /// @return whether it is seen, a cell or more from the border. @param m where.
+  bool is_seen(const Camera& camera, int x, float q, Moved& m) const {
+    const float z = row_(x, 2);
+    m = {row_(x, 0), row_(x, 1), q / z};
+    return z > 1e-3f && is_inside(camera, m);
+  }
+
+  /// Change of the place by the inverse depth, cells metres, of cell (x, y) of inverse depth q moved by T.
+  Vector2<float> by_inverse_depth(const Camera& camera, const SE3f& T, int x, int y, float q) const {
+    Eigen::Matrix<float, 2, 3> J;
+    camera.template project<float>(moved(T, x, y, q), &J);
+    return J * T.t;
+  }
+
   /// Moves cell (x, y) of inverse depth q by T.
   /// @return whether it is seen, a cell or more from the border. @param m where.
   bool operator()(const Camera& camera, const SE3f& T, int x, int y, float q, Moved& m) const {
-    const Vector3<float> X = T.R * Vector3<float>(x_(x, y), y_(x, y), 1) + q * T.t;
+    const Vector3<float> X = moved(T, x, y, q);
     if (!(X.z() > 1e-3f)) return false;
     const Vector2<float> p = camera.template project<float>(X);
-    if (!(p.x() >= 1 && p.y() >= 1 && p.x() < static_cast<float>(camera.width() - 2) &&
-          p.y() < static_cast<float>(camera.height() - 2)))
-      return false;
     m = {p.x(), p.y(), q / X.z()};
-    return true;
+    return is_inside(camera, m);
   }
 
  private:
+  Vector3<float> moved(const SE3f& T, int x, int y, float q) const {
+    return T.R * Vector3<float>(x_(x, y), y_(x, y), 1) + q * T.t;
+  }
+  static bool is_inside(const Camera& camera, const Moved& m) {
+    return m.u >= 1 && m.v >= 1 && m.u < static_cast<float>(camera.width() - 2) &&
+           m.v < static_cast<float>(camera.height() - 2);
+  }
+
   Image<float> x_, y_;  ///< rays of the cells
+  Image<float> row_;    ///< u, v and the depth over the former depth, of the row that was moved last
 };
 
 DOT_END_NAMESPACE

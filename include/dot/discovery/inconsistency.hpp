@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dot/discovery/cell_warp.hpp"
+#include "dot/image/buffer.hpp"
 #include "dot/image/image.hpp"
 #include "dot/image/pyramid.hpp"
 #include "dot/lie/se3.hpp"
@@ -127,7 +128,7 @@ class InconsistencyTest {
   /// @param followed of the new frame: non-zero where such an object is expected.
   void add_discovered(const Camera& camera, const Noise& noise, const CellFrame& current,
                       const Image<float>& discovered, const Image<std::uint8_t>& followed, const CellMotion& motion,
-                      Inconsistency& out) const {
+                      Inconsistency& out) {
     left(camera, noise, current, discovered, motion, out, [&](int u, int v) { return followed(u, v) != 0; });
   }
 
@@ -138,12 +139,14 @@ class InconsistencyTest {
                const CellMotion& motion, Inconsistency& out) {
     const SE3f T = motion.T_cur_ref.inverse().template cast<float>();
     const float gain = static_cast<float>(motion.gain), offset = static_cast<float>(motion.offset);
-    residuals_.clear();
-    for (int y = 1; y + 1 < current.q.height(); ++y)
+    std::size_t count = 0;
+    residuals_.resize(static_cast<std::size_t>(current.q.width()) * static_cast<std::size_t>(current.q.height()));
+    for (int y = 1; y + 1 < current.q.height(); ++y) {
+      warp.move_row(camera, T, y, current.q.row(y));
       for (int x = 1; x + 1 < current.q.width(); ++x) {
         const float q = current.q(x, y);
-        Moved m, shifted;
-        if (!(q > 0) || !warp(camera, T, x, y, q, m)) continue;
+        Moved m;
+        if (!(q > 0) || !warp.is_seen(camera, x, q, m)) continue;
         const int u = static_cast<int>(m.u + 0.5f), v = static_cast<int>(m.v + 0.5f);
         const float near = reference.nearest(u, v);
         if (!(near > 0)) continue;
@@ -152,13 +155,14 @@ class InconsistencyTest {
         if (m.q < reference.farthest(u, v) - 2 * s) continue;  // hidden in the reference
         const Vector2<float> gradient = current.gradient(x, y);
         const float dq = 1.4f * static_cast<float>(noise.pixel_sigma(q));
-        float parallax = 0;
-        if (warp(camera, T, x, y, q + dq, shifted))
-          parallax = gradient.dot(Vector2<float>(shifted.u - m.u, shifted.v - m.v));
+        const float parallax = dq * gradient.dot(warp.by_inverse_depth(camera, T, x, y, q));
         const float r = static_cast<float>(current.grey(x, y)) - gain * bilinear(reference.grey, m.u, m.v) - offset;
-        residuals_.push_back(
-            {x, y, r, parallax * parallax + kGradientNoise * kGradientNoise * gradient.squaredNorm(), std::abs(d) < 2});
+        Residual& added = residuals_[count++];
+        added.x = x, added.y = y, added.value = r, added.agrees = std::abs(d) < 2;
+        added.variance = parallax * parallax + kGradientNoise * kGradientNoise * gradient.squaredNorm();
       }
+    }
+    residuals_.resize(count);
     intensity_scale = scale_of_residuals();
     const float scale = intensity_scale;
     for (const Residual& r : residuals_)
@@ -168,13 +172,14 @@ class InconsistencyTest {
   /// @param counts (u, v) -> bool: whether the evidence is about this cell.
   template <typename Counts>
   void left(const Camera& camera, const Noise& noise, const CellFrame& current, const Image<float>& standing,
-            const CellMotion& motion, Inconsistency& out, Counts&& counts) const {
+            const CellMotion& motion, Inconsistency& out, Counts&& counts) {
     const SE3f T = motion.T_cur_ref.template cast<float>();
-    for (int y = 0; y < standing.height(); ++y)
+    for (int y = 0; y < standing.height(); ++y) {
+      warp.move_row(camera, T, y, standing.row(y));
       for (int x = 0; x < standing.width(); ++x) {
         const float q = standing(x, y);
         Moved m;
-        if (!(q > 0) || !warp(camera, T, x, y, q, m)) continue;
+        if (!(q > 0) || !warp.is_seen(camera, x, q, m)) continue;
         const int u0 = static_cast<int>(m.u), v0 = static_cast<int>(m.v);
         const float d = (m.q - current.nearest(static_cast<int>(m.u + 0.5f), static_cast<int>(m.v + 0.5f))) /
                         sigma(noise, m.q, motion);
@@ -190,6 +195,7 @@ class InconsistencyTest {
             out.depth(u, v) = std::max(out.depth(u, v), d);
           }
       }
+    }
   }
 
   /// Robust scale of the residuals of cells whose depth agrees. Grey values, at least one.
@@ -207,7 +213,7 @@ class InconsistencyTest {
     float variance;  ///< without that of the intensity itself
     bool agrees;     ///< whether the depth agrees
   };
-  std::vector<Residual> residuals_;
+  Buffer<Residual> residuals_;
   std::vector<float> magnitudes_;
 };
 

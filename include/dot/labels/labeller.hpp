@@ -10,6 +10,7 @@
 #include "dot/frame/frame_data.hpp"
 #include "dot/labels/grow.hpp"
 #include "dot/labels/reveal.hpp"
+#include "dot/mask/painted_image.hpp"
 #include "dot/tracks/track.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -28,9 +29,9 @@ class Labeller {
              const Camera& camera, const Noise& noise, const MaskSettings& settings);
 
   /// The State of each pixel, valid until the next `label`.
-  const Image<std::uint8_t>& labels() const { return labels_; }
+  const PaintedImage<std::uint8_t>& labels() const { return labels_; }
   /// The track id of each pixel, 0 = background, valid until the next `label`.
-  const Image<std::uint32_t>& ids() const { return ids_; }
+  const Image<std::uint32_t>& ids() const { return ids_.image(); }
 
   /// Makes a past frame the last segmented one, with the masks of these tracks.
   /// @param camera_since motion since then. @param known whether that motion was measured.
@@ -41,19 +42,20 @@ class Labeller {
     segmented_.reset();
     newly_segmented_.reset();
     known_ = false;
+    labels_.forget(), ids_.forget(), segmented_ids_.forget();
   }
 
  private:
-  static void paint(const List& far_to_near, int width, int height, Image<std::uint32_t>& ids);
+  static void paint(const List& far_to_near, int width, int height, PaintedImage<std::uint32_t>& ids);
   void advance(const FramePtr& cur, const CameraStep& camera_step, bool segmented);
   void show_new_parts(const Track& t, const FrameData& cur, const Camera& camera, const Noise& noise,
                       const MaskSettings& settings, std::array<int, 4>& box);
 
-  Image<std::uint8_t> labels_;
-  Image<std::uint32_t> ids_;
+  PaintedImage<std::uint8_t> labels_;
+  PaintedImage<std::uint32_t> ids_;
 
   FramePtr segmented_;  ///< the last frame that was segmented before the newest one
-  Image<std::uint32_t> segmented_ids_;
+  PaintedImage<std::uint32_t> segmented_ids_;
   SE3d T_now_segmented_;      ///< camera motion since
   bool known_ = false;        ///< there is such a frame, and that motion is known
   FramePtr newly_segmented_;  ///< the newest frame, if it was segmented; becomes `segmented_` at the next frame

@@ -88,6 +88,7 @@ class Dot {
 
   void label_objects(const Frame& frame);
   double start_interval(double timestamp);
+  void learn_and_predict(const Interval& interval);
   void forget_wrong_motions();
   void discover(const FrameData& cur, const CameraStep& camera_step);
   void remember(const CameraStep& camera_step);
@@ -111,8 +112,7 @@ class Dot {
             options_.selection,
             options_.depth_noise.source,
             kernels(),
-            threads,
-            options_.discover_unknown};
+            threads};
   }
 
   Camera camera_;

@@ -38,7 +38,7 @@ struct TrackedOutline {
   bool is_newest = false;    ///< the shape is of the last segmented frame, and the camera's motion since is known
 
   WarpedMask warped;       ///< the shape in the current frame
-  bool is_coarse = false;  ///< `warped` is a prediction on a coarse level; it then has no inverse depths
+  bool is_coarse = false;  ///< `warped` is a prediction on a coarse level
   SE3d T_frame_shape;      ///< the motion of that warp
 
   Mask mask;                  ///< the part shown in the current frame
@@ -57,13 +57,16 @@ struct TrackedOutline {
     T_frame_shape = T;
   }
 
-  /// The same on a coarse level, if the shape is large.
+  /// The same on a coarse level, if the shape is large. @param surface whether the inverse depths are wanted.
   template <typename Camera>
   void predict_by(const SE3d& T, const DepthPyramid& depth, const Camera& camera, const MaskSettings& settings,
-                  OutlineWorkspace& workspace) {
+                  OutlineWorkspace& workspace, bool surface = false) {
     if (coarse.level == 0) return warp_by(T, depth.levels[0], camera, settings, workspace);
     warp_on_level(coarse, T, camera, &depth, settings.depth_tolerance, workspace.warp, workspace.moved);
-    enlarge(workspace.moved, coarse.level, warped);
+    if (surface)
+      enlarge_surface(workspace.moved, coarse.level, warped);
+    else
+      enlarge(workspace.moved, coarse.level, warped);
     is_coarse = true;
     T_frame_shape = T;
   }

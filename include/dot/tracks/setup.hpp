@@ -23,7 +23,6 @@ struct TrackingSetup {
   DepthSource depth_source;                ///< source of the depth
   const kernel::Kernels& kernels;          ///< of the selection
   const Threads& threads;                  ///< that follow objects
-  bool exact_predictions;                  ///< predicted outlines are needed at full resolution
 };
 
 DOT_END_NAMESPACE

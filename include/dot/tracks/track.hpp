@@ -79,8 +79,11 @@ struct Track {
     identity.discovered = candidacy.is_candidate = false;
   }
 
-  /// A candidate that turned out to stand still is not followed. It is kept for a while, so that it is not found again.
-  bool is_rejected_candidate() const { return candidacy.is_candidate && belief.state == State::Static; }
+  /// A candidate that turned out to stand still, or that is no moving object, is not followed. It is kept for a while,
+  /// so that it is not found again.
+  bool is_rejected_candidate() const {
+    return candidacy.is_candidate && (belief.state == State::Static || candidacy.has_failed());
+  }
 
   /// Whether labels and results show it with its pixels.
   bool is_shown() const { return outline.visible && !lost && !candidacy.is_candidate; }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dot/discovery/discovery.hpp"
+#include "dot/mask/painted_image.hpp"
 #include "dot/motion/classifier.hpp"
 #include "dot/object_motion/object_tracker.hpp"
 #include "dot/tracks/assignment.hpp"
@@ -51,6 +52,8 @@ class Tracks {
 
   /// Predicts the places of `tracks` in the current frame at constant velocity.
   void predict(const List& tracks, const Interval& interval, const Setup& setup);
+  /// The same for one track. Several may run at once, with different workers.
+  void predict(Track& track, const Interval& interval, const Setup& setup, Worker& worker) const;
 
   /// Assigns the observations of the current frame to the tracks that they continue.
   void assign(Observations& observations, const MaskSettings& settings);
@@ -111,7 +114,6 @@ class Tracks {
 
   template <typename Condition>
   const List& that(Condition&& condition);
-  void predict(Track& t, const Interval& interval, const Setup& setup, Worker& worker) const;
   void follow(Track& t, const Interval& interval, const Observations& observations, const Setup& setup,
               Worker& worker) const;
   void choose_first_fit(Track& t, const Interval& interval, const Setup& setup, Worker& worker) const;
@@ -132,7 +134,7 @@ class Tracks {
 
   std::vector<Worker> workers_;
   Assignment assignment_;
-  Image<std::uint8_t> nearer_;           ///< where objects nearer than those being followed were found
+  PaintedImage<std::uint8_t> nearer_;    ///< where objects nearer than those being followed were found
   List selected_;                        ///< result of `that`
   std::vector<const PointSet*> points_;  ///< result of `points_of`
   List order_;                           ///< nearest first

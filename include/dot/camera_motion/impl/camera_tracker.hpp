@@ -143,23 +143,16 @@ void CameraTracker<Camera, Noise, Aligner>::learn_depth(const FrameData& cur, co
 
 template <typename Camera, typename Noise, typename Aligner>
 bool CameraTracker<Camera, Noise, Aligner>::take_background(const FrameData& cur, const CameraStep& step,
-                                                            const Image<std::uint8_t>& labels,
+                                                            const PaintedImage<std::uint8_t>& labels,
                                                             const Selector<Camera, Noise>& select, int min_points) {
-  // Pixels that no object covers, with a margin for ragged outlines.
-  const int width = labels.width(), height = labels.height();
-  mask_.resize(width, height);
-  for (int y = 0; y < height; ++y) {
-    const std::uint8_t* label = labels.row(y);
-    std::uint8_t* out = mask_.row(y);
-    for (int x = 0; x < width; ++x) out[x] = label[x] ? 0 : 255;
-  }
-  erode<4>(std::as_const(mask_).view(), mask_rows_, mask_.view());
+  const int width = labels.image().width(), height = labels.image().height();
+  mask_.set(labels);
   if constexpr (std::is_same_v<Noise, DepthNoise>)
-    depth_learning_.remember(select.camera, cur.inverse_depth(), mask_, cur.timestamp, cur.bias);
+    depth_learning_.remember(select.camera, cur.inverse_depth(), mask_.pixels, cur.timestamp, cur.bias);
   fresh_.clear();
   const SelectionSettings& s = select.settings;
   select({{0, 0, width, height},
-          mask_.view(),
+          mask_.pixels.view(),
           cur.inverse_depth().view(),
           s.background_points,
           s.window_radius,

@@ -13,6 +13,7 @@ DOT_BEGIN_NAMESPACE
 
 DOT_INLINE void Candidacy::confirm(const ObjectStep& step, const ObjectBelief& belief, const VelocitySettings& settings,
                                    double dt) {
+  tried += dt;
   const Reason reason = step.fit.reason;
   if (reason == Reason::Occluded || reason == Reason::LeavesImage || reason == Reason::Hidden) return;
   bool agrees = step.fit.ok();

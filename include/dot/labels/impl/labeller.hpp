@@ -16,8 +16,7 @@ void Labeller<Camera, Noise>::label(const List& far_to_near, const FramePtr& cur
                                     bool segmented, const Camera& camera, const Noise& noise,
                                     const MaskSettings& settings) {
   advance(cur, camera_step, segmented);
-  labels_.resize(camera.width(), camera.height());
-  labels_.fill(0);
+  labels_.clear(camera.width(), camera.height());
   for (Track* t : far_to_near) {
     TrackedOutline& outline = t->outline;
     if (!outline.visible) outline.mask.clear();
@@ -31,10 +30,11 @@ void Labeller<Camera, Noise>::label(const List& far_to_near, const FramePtr& cur
     Mask& mask = t.outline.mask;
     std::array<int, 4> box = mask.box();
     if (!t.observed && t.outline.is_newest && known_) show_new_parts(t, *cur, camera, noise, settings, box);
-    crop_ids<std::uint32_t>(ids_.view(), t.identity.id, box, mask);
+    ids_.add(box);
+    crop_ids<std::uint32_t>(ids().view(), t.identity.id, box, mask);
     t.outline.visible = !mask.empty();
     if (!t.outline.visible && t.motion.step.fit.ok()) t.motion.step.fit.reason = Reason::Hidden;
-    mask.write(static_cast<std::uint8_t>(t.belief.state), labels_);
+    labels_.paint(mask, static_cast<std::uint8_t>(t.belief.state));
   }
   if (segmented) T_now_segmented_ = {};
 }
@@ -64,10 +64,10 @@ void Labeller<Camera, Noise>::set_segmented(const List& far_to_near, const Frame
 
 /// Paints the masks of these tracks into the id image.
 template <typename Camera, typename Noise>
-void Labeller<Camera, Noise>::paint(const List& far_to_near, int width, int height, Image<std::uint32_t>& ids) {
-  ids.resize(width, height);
-  ids.fill(0);
-  for (const Track* t : far_to_near) t->outline.mask.write(t->identity.id, ids);
+void Labeller<Camera, Noise>::paint(const List& far_to_near, int width, int height,
+                                    PaintedImage<std::uint32_t>& ids) {
+  ids.clear(width, height);
+  for (const Track* t : far_to_near) ids.paint(t->outline.mask, t->identity.id);
 }
 
 /// Adds to an object's pixels the parts that the last segmentation could not see: parts that earlier ones showed, and,
@@ -79,7 +79,7 @@ void Labeller<Camera, Noise>::show_new_parts(const Track& t, const FrameData& cu
                                              std::array<int, 4>& box) {
   const SE3d T_seg_object = t.outline.T_now_shape.inverse(), T_seg_static = T_now_segmented_.inverse();
   const ImageView<const float> inverse_depth = cur.inverse_depth().view();
-  const SegmentedFrame segmented{segmented_->inverse_depth(), segmented_ids_};
+  const SegmentedFrame segmented{segmented_->inverse_depth(), segmented_ids_.image()};
   // Tolerance, relative, of the inverse depths of one surface that are measured in two frames: three sigmas.
   const auto tolerance = [&](double q) {
     const double sigma = std::max(std::hypot(noise.pixel_sigma(q), noise.shared_sigma(q)),
@@ -89,12 +89,12 @@ void Labeller<Camera, Noise>::show_new_parts(const Track& t, const FrameData& cu
   if (const MaskTemplate& hidden = t.outline.hidden_part; !hidden.mask.empty()) {
     warp_on_level(hidden, t.outline.T_now_shape, camera, nullptr, 0, warp_workspace_, moved_);
     enlarge_surface(moved_, hidden.level, expected_);
-    reveal(expected_, segmented, T_seg_object, T_seg_static, camera, inverse_depth, t.identity.id, tolerance, ids_,
-           box);
+    reveal(expected_, segmented, T_seg_object, T_seg_static, camera, inverse_depth, t.identity.id, tolerance,
+           ids_.image(), box);
   }
   if (t.motion.step.fit.ok() || t.belief.dead_reckoning_is_reliable(t.motion.size, cur.timestamp))
-    grow(segmented, T_seg_object, T_seg_static, camera, inverse_depth, t.identity.id, tolerance, grow_workspace_, ids_,
-         box);
+    grow(segmented, T_seg_object, T_seg_static, camera, inverse_depth, t.identity.id, tolerance, grow_workspace_,
+         ids_.image(), box);
 }
 
 DOT_END_NAMESPACE

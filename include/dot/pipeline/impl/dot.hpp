@@ -70,15 +70,13 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
                             tracks_.points_of(previous_ ? previous_->timestamp : 0), camera_, camera_estimator,
                             worker.aligner, worker.minima);
   if (!camera_tracker_.revised().empty()) forget_wrong_motions();
-  camera_tracker_.learn_depth(cur, camera_step, camera_, options_.align, camera_estimator.settings.min_points,
-                              depth_noise);
   late_masks_.advance(camera_step);
   ends(Stage::Camera);
 
-  // Predicted places of the objects. Masks of the network and of moving regions in the background.
+  // Noise of the depth. Predicted places of the objects. Masks of the network and of moving regions in the background.
   const Interval interval{previous_.get(), cur, camera_step};
   tracks_.drop_lost();
-  tracks_.predict(tracks_.all(), interval, setup());
+  learn_and_predict(interval);
   observations_.list.clear();
   if (segmented) observations_.read(*frame.masks, cur.inverse_depth(), camera_);
   if (options_.discover_unknown) discover(cur, camera_step);
@@ -100,6 +98,19 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   ends(Stage::Points);
   write_result(frame, camera_step);
   late_masks_.await(current_, camera_step, segmented, options_.mask, tracks_.all());
+}
+
+/// Learns the depth's noise from the background, and predicts the places of the objects, which does not need it.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::learn_and_predict(const Interval& interval) {
+  const std::vector<Track*>& tracks = tracks_.all();
+  const Setup setup = this->setup();
+  threads.run(1 + static_cast<int>(tracks.size()), [&](int thread, int i) {
+    auto& worker = tracks_.workers()[static_cast<std::size_t>(thread)];
+    if (i > 0) return tracks_.predict(*tracks[static_cast<std::size_t>(i - 1)], interval, setup, worker);
+    camera_tracker_.learn_depth(interval.cur, interval.camera, camera_, options_.align,
+                                camera_estimator.settings.min_points, depth_noise);
+  });
 }
 
 /// Forgets what was concluded from motions of the camera that the newest one proved to be wrong.

@@ -98,7 +98,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame, c
   objects_.clear();
   for (const Track* t : tracks_.all())
     if (!t->candidacy.is_candidate) objects_.push_back(writing::result_of(*t));
-  result_.labels = labeller_.labels().view();
+  result_.labels = labeller_.labels().image().view();
   result_.ids = labeller_.ids().view();
   result_.objects = {objects_.data(), objects_.size()};
 }

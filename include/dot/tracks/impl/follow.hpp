@@ -74,10 +74,8 @@ void Tracks<Camera, Classifier, Noise, Aligner>::predict(Track& t, const Interva
   const SE3d T_cur_prev = camera.T_cur_prev * t.belief.expected_motion(camera.seconds);
   t.expected = t.motion.position_now.moved(T_cur_prev);
   const SE3d T_cur_shape = T_cur_prev * t.outline.T_now_shape;
-  if (setup.exact_predictions)
-    t.outline.warp_by(T_cur_shape, interval.cur.inverse_depth(), setup.camera, setup.mask, worker.outline);
-  else
-    t.outline.predict_by(T_cur_shape, interval.cur.depth, setup.camera, setup.mask, worker.outline);
+  t.outline.predict_by(T_cur_shape, interval.cur.depth, setup.camera, setup.mask, worker.outline,
+                       t.is_rejected_candidate());
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -94,8 +92,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(const List& tracks, cons
     const double a = l->inverse_depth(), b = r->inverse_depth();
     return a != b ? a > b : l->identity.id < r->identity.id;
   });
-  nearer_.resize(setup.camera.width(), setup.camera.height());
-  nearer_.fill(0);
+  nearer_.clear(setup.camera.width(), setup.camera.height());
   const auto touches = [&](std::size_t nearer, std::size_t object) {
     return may_touch(*order_[nearer], *order_[object]);
   };
@@ -109,8 +106,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(const List& tracks, cons
              workers_[static_cast<std::size_t>(worker)]);
     });
     for (const Track* t : at_once_)
-      if (!t->candidacy.is_candidate && (t->motion.step.fit.ok() || t->observed))
-        t->newest_mask().write(std::uint8_t{255}, nearer_);
+      if (!t->candidacy.is_candidate && (t->motion.step.fit.ok() || t->observed)) nearer_.paint(t->newest_mask(), 255);
   }
 }
 
@@ -150,7 +146,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval
     const Noise noise = discovered ? Discovery<Camera, Noise>::bounded(setup.noise) : setup.noise;
     step = tracker(setup, noise)
                .follow(t.motion, t.belief, {t.observed, &observations, discovered}, interval,
-                       std::as_const(nearer_).view(), worker.object);
+                       std::as_const(nearer_).image().view(), worker.object);
     if (is_first && step.fit.ok() && step.fit.phi < kSurePhi) choose_first_fit(t, interval, setup, worker);
   }
   decide(t, interval.cur, camera.T_cur_prev.R, camera.seconds, camera.seconds, setup);
@@ -163,7 +159,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval
   // An observed object needs no prediction, and a static one was predicted by the same motion.
   const bool same = !outline.is_coarse && outline.T_frame_shape.R == outline.T_now_shape.R &&
                     outline.T_frame_shape.t == outline.T_now_shape.t;
-  if (!t.observed && !same)
+  if (!t.observed && !same && !t.is_rejected_candidate())
     outline.warp_by(outline.T_now_shape, interval.cur.inverse_depth(), setup.camera, setup.mask, worker.outline);
 }
 

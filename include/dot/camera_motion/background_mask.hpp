@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "dot/abi.hpp"
+#include "dot/image/image.hpp"
+#include "dot/image/morphology.hpp"
+#include "dot/mask/mask.hpp"
+#include "dot/mask/painted_image.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// The pixels that no object covers, with a margin for ragged outlines. The work is done in the objects' boxes alone.
+struct BackgroundMask {
+  static constexpr int kMargin = 4;  ///< pixels
+
+  Image<std::uint8_t> pixels;  ///< 255: background, 0: at most `kMargin` rows and columns from an object
+
+  /// @param labels non-zero where objects are.
+  void set(const PaintedImage<std::uint8_t>& labels) {
+    const ImageView<const std::uint8_t> image = labels.image().view();
+    pixels.resize(image.width, image.height);
+    pixels.fill(255);
+    for (const auto& [x, y, columns, rows] : labels.boxes()) {
+      const auto [left, top, width, height] =
+          clip_box({x - kMargin, y - kMargin, columns + 2 * kMargin, rows + 2 * kMargin}, image.width, image.height);
+      covered_.resize(width, height);
+      dilate<kMargin>(ImageView<const std::uint8_t>{image.row(top) + left, width, height, image.stride}, rows_,
+                      covered_.view());
+      for (int v = 0; v < height; ++v) {
+        const std::uint8_t* covered = covered_.row(v);
+        std::uint8_t* __restrict out = pixels.row(top + v) + left;
+        for (int u = 0; u < width; ++u) out[u] = covered[u] ? 0 : out[u];
+      }
+    }
+  }
+
+ private:
+  Image<std::uint8_t> covered_;  ///< a box and its margin: non-zero where objects are, with the margin
+  Image<std::uint8_t> rows_;     ///< scratch of the dilation
+};
+
+DOT_END_NAMESPACE

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "dot/abi.hpp"
+#include "dot/image/image.hpp"
+#include "dot/mask/mask.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// An image of zeros on which masks are painted. It remembers the painted boxes, so that it can be cleared without a
+/// pass over the whole image.
+template <typename T>
+class PaintedImage {
+ public:
+  using Box = std::array<int, 4>;  ///< x, y, width, height; inside the image
+
+  /// Makes all pixels zero.
+  void clear(int width, int height) {
+    if (is_unknown_ || width != image_.width() || height != image_.height()) {
+      is_unknown_ = true;
+      image_.resize(width, height);
+      image_.fill(0);
+      is_unknown_ = false;
+    } else {
+      for (const auto& [x, y, columns, rows] : boxes_)
+        for (int v = y; v < y + rows; ++v) std::fill_n(image_.row(v) + x, columns, T{0});
+    }
+    boxes_.clear();
+  }
+
+  /// Sets the pixels of a mask, which is inside the image.
+  void paint(const Mask& mask, T value) {
+    if (mask.empty()) return;
+    add(mask.box());
+    mask.write(value, image_);
+  }
+
+  /// Allows pixels of this box to be changed in `image`.
+  void add(const Box& box) { boxes_.push_back(box); }
+
+  /// The next `clear` clears every pixel. For an image whose painting was interrupted.
+  void forget() noexcept { is_unknown_ = true; }
+
+  /// The pixels. Those outside of `boxes` are zero and must stay so.
+  Image<T>& image() { return image_; }
+  /// The pixels. Those outside of `boxes` are zero.
+  const Image<T>& image() const { return image_; }
+  /// The boxes of all that was painted. They may overlap.
+  const std::vector<Box>& boxes() const { return boxes_; }
+
+ private:
+  Image<T> image_;
+  std::vector<Box> boxes_;
+  bool is_unknown_ = false;
+};
+
+DOT_END_NAMESPACE

@@ -77,9 +77,15 @@ struct ObjectMotionEstimator {
     const int fine = std::min(1, top);
     Minima& minima = workspace.minima;
     minima.found.clear();
-    for (std::size_t i = 0; i < count; ++i)
-      minima.add(problem, aligner.align(problem, {problem.T_outer * starts[i], pair.camera.gain, pair.camera.offset},
-                                        top, fine));
+    for (std::size_t i = 0; i < count; ++i) {
+      const AlignState start{problem.T_outer * starts[i], pair.camera.gain, pair.camera.offset};
+      const auto leads_here = [&](const Alignment& found) {
+        return is_near(problem.points, problem.camera, start.T, found.state.T, 1 << top);
+      };
+      // Less than a pixel of the coarsest level away from a minimum, a start leads to that minimum.
+      if (std::any_of(minima.found.begin(), minima.found.end(), leads_here)) continue;
+      minima.add(problem, aligner.align(problem, start, top, fine));
+    }
     std::vector<Alignment>& candidates = minima.found;
     // A few points may agree by chance, and then better than any other minimum.
     const auto sees_few = [&](const Alignment& a) {
@@ -94,7 +100,7 @@ struct ObjectMotionEstimator {
     const auto& order = workspace.ranked;
     for (std::size_t i = 0; i < std::min(order.size(), kTried); ++i) {
       Alignment& a = candidates[order[i].second];
-      aligner.reject_outliers_and_refit(problem, a);
+      aligner.reject_outliers_and_refit(problem, a, fine > 0 && order.size() == 1);
       ObjectFit attempt = fit_of(pair, problem, a, noise);
       attempt.reason = check(points, a, attempt, known);
       if (i == 0 || attempt.ok()) out = attempt;

@@ -75,7 +75,6 @@ struct ObjectTracker {
   static constexpr double kNearest = 0.05;            ///< metres before the camera
   static constexpr double kSamePixels = 0.5, kSameDepth = 0.01;  ///< closer starts are the same; share of depth
   static constexpr double kLeastSize = 0.3, kMostSize = 3.3;     ///< ratio of a mask's area to the reference's
-  static constexpr double kWorthwhile = 3;  ///< usual variance of an older fit, over the least possible one
 
   struct Following;
 

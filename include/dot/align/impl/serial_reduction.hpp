@@ -52,7 +52,7 @@ void SerialReduction::run(const PointSet& points, int level, const Camera& camer
   for (int i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     if (out) {
-      for (std::vector<float>* a : {&out->r, &out->extra, &out->value, &out->r_depth}) (*a)[k] = 0;
+      for (Buffer<float>* a : {&out->r, &out->extra, &out->value, &out->r_depth}) (*a)[k] = 0;
       out->visibility[k] = 0;
     }
     if (excluded && excluded[i]) continue;

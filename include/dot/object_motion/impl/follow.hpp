@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 /// @file
 /// Definitions of object_motion/object_tracker.hpp, which includes this file.
@@ -81,31 +83,48 @@ void ObjectTracker<Camera, Noise, Aligner>::use_known_velocity(Following& f) con
                                        estimator.velocity.photometric_scale, estimator.prior);
 }
 
-/// Fits up to three older references, the oldest first. They are more precise for an object that stands or moves
-/// steadily. For an object that has just started they give only its mean motion.
+/// Fits older references, up to three, as long as one may be more precise than the evidence. They are more precise for
+/// an object that stands or moves steadily. For an object that has just started they give only its mean motion.
 template <typename Camera, typename Noise, typename Aligner>
 void ObjectTracker<Camera, Noise, Aligner>::fit_older(Following& f) const {
   const double seconds = f.interval.camera.seconds;
-  const int count = static_cast<int>(f.motion.references.size());
-  int last = 0;
-  for (int i = 0; i < kOlder; ++i) {
-    const int k = count - 1 - i * std::max(1, count / 4);
-    if (k <= 0 || k == last) break;
-    last = k;
-    const ObjectReference& older = f.motion.references[static_cast<std::size_t>(k)];
+  const int count = static_cast<int>(f.motion.references.size()), step = std::max(1, count / 4);
+  // A fit's error in metres is about that of the last interval's fit, so its velocity is the more precise the older the
+  // reference. But the velocity may have changed since. Without that fit, the oldest reference is the first.
+  const double error = f.step.fit.ok() ? f.step.fit.motion.covariance.trace() * seconds * seconds : 0;
+  const auto expected_variance = [&](const ObjectReference& older) {
     const double age = f.interval.cur.timestamp - older.timestamp;
     const double floor = estimator.velocity.floor_at(older.centroid.z());
     const double acceleration = estimator.velocity.acceleration_at(older.centroid.z());
-    const double least = kWorthwhile * (variance_of_change(age, seconds, acceleration) + floor * floor);
-    if (f.step.has_evidence && least >= f.evidence_variance) continue;  // it cannot be more precise
+    return error / (age * age) + 3 * (variance_of_change(age, seconds, acceleration) + floor * floor);
+  };
+  struct Older {
+    const ObjectReference* reference;
+    double variance;  // expected
+  };
+  std::array<Older, kOlder> sorted{};
+  std::size_t n = 0;
+  const bool last_is_known = f.step.fit.ok();
+  for (int i = 0; i < kOlder; ++i) {
+    const int k = count - 1 - i * step;
+    if (k <= 0) break;
+    const ObjectReference& older = f.motion.references[static_cast<std::size_t>(k)];
+    const double variance = expected_variance(older);
+    std::size_t at = n++;
+    for (; last_is_known && at > 0 && variance < sorted[at - 1].variance; --at) sorted[at] = sorted[at - 1];
+    sorted[at] = {&older, variance};
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const ObjectReference& older = *sorted[i].reference;
+    if (f.step.has_evidence && sorted[i].variance >= f.evidence_variance) continue;
     const ReferencePair pair = pair_with_current(f, older);
     f.workspace.starts.assign(1, pair.camera.T_now_ref.inverse() * f.T_c() * f.step.T_o * older.T_obj_now_ref);
     // The motion of the last interval leads to within a pixel or two of the place. Coarser levels would mix the object
     // with what is beside it, and lead a slow one away.
     const ObjectFit found = fit(f, pair, f.step.fit.ok() ? kOlderTop : PointSet::kMaxLevels);
     if (!found.ok()) continue;
-    const ObjectFit shared =
-        over_last_interval(found, f.T_c().inverse() * pair.camera.T_now_ref, seconds, acceleration);
+    const ObjectFit shared = over_last_interval(found, f.T_c().inverse() * pair.camera.T_now_ref, seconds,
+                                                estimator.velocity.acceleration_at(older.centroid.z()));
     add_evidence(f, pair, found, shared);
     if (f.step.fit.ok() && shared.motion.covariance.trace() < f.step.fit.motion.covariance.trace()) f.step.fit = shared;
   }

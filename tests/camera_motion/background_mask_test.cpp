@@ -33,9 +33,12 @@ TEST(BackgroundMask, LeavesOutObjectsWithTheirMargin) {
       const int width = 1 + static_cast<int>(random() % 20), height = 1 + static_cast<int>(random() % 20);
       const std::array<int, 4> box{static_cast<int>(random() % (kWidth - width + 1u)),
                                    static_cast<int>(random() % (kHeight - height + 1u)), width, height};
+      dot::Image<std::uint8_t> ragged(kWidth, kHeight);
+      for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) ragged(x, y) = random() % 5 == 0;
       Mask mask;
       dot::fill_mask(
-          box, [&](int, int) { return random() % 5 == 0; }, mask);
+          box, [&](int x, int y) { return ragged(x, y) != 0; }, mask);
       labels.paint(mask, 1);
     }
     background.set(labels);

@@ -64,8 +64,7 @@ void Labeller<Camera, Noise>::set_segmented(const List& far_to_near, const Frame
 
 /// Paints the masks of these tracks into the id image.
 template <typename Camera, typename Noise>
-void Labeller<Camera, Noise>::paint(const List& far_to_near, int width, int height,
-                                    PaintedImage<std::uint32_t>& ids) {
+void Labeller<Camera, Noise>::paint(const List& far_to_near, int width, int height, PaintedImage<std::uint32_t>& ids) {
   ids.clear(width, height);
   for (const Track* t : far_to_near) ids.paint(t->outline.mask, t->identity.id);
 }

@@ -108,4 +108,21 @@ TEST(Candidacy, FailsIfItIsNotConfirmedForLong) {
   EXPECT_FALSE(moves.has_failed());
 }
 
+/// What was shown gets a new trial before it is given up.
+TEST(Candidacy, TheTrialStartsAfreshWithEachConfirmation) {
+  Candidacy candidacy;
+  candidacy.is_candidate = true;
+  for (int i = 0; i < 20; ++i) candidacy.confirm(fitted({3, 0, 0}), believed({3, 0, 0}), {}, dt);
+  ObjectStep hidden;
+  hidden.fit.reason = Reason::Occluded;
+  for (int i = 0; i < 20; ++i) candidacy.confirm(hidden, believed({3, 0, 0}), {}, dt);
+  int until = 0;
+  while (!candidacy.has_failed() && until < 100) {
+    candidacy.confirm(fitted({-3, 0, 0}), believed({3, 0, 0}), {}, dt);
+    ++until;
+  }
+  EXPECT_GE(until * dt, Candidacy::kTrialSeconds);
+  EXPECT_LE(until * dt, Candidacy::kTrialSeconds + Candidacy::kMaxConfirmedSeconds + 2 * dt);
+}
+
 }  // namespace

@@ -146,7 +146,7 @@ TEST(Tracks, FollowAFewCandidatesAtATime) {
   ASSERT_EQ(street.tracks.size(), static_cast<std::size_t>(dot::Candidacy::kMost));
   for (const Track* t : street.tracks.all()) {
     EXPECT_TRUE(t->candidacy.is_candidate);
-    EXPECT_LT(t->observed->mask.x, 4 + 12 * dot::Candidacy::kMost) << "they are in the order of their sizes";
+    EXPECT_LT(t->observed->mask.x, 4 + 12 * dot::Candidacy::kMost) << "the first ones, which have the largest seeds";
   }
 }
 

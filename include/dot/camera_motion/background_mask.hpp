@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "dot/abi.hpp"
@@ -23,21 +24,27 @@ struct BackgroundMask {
     const ImageView<const std::uint8_t> image = labels.image().view();
     pixels.resize(image.width, image.height);
     pixels.fill(255);
-    for (const auto& [x, y, columns, rows] : labels.boxes()) {
-      const auto [left, top, width, height] =
-          clip_box({x - kMargin, y - kMargin, columns + 2 * kMargin, rows + 2 * kMargin}, image.width, image.height);
-      covered_.resize(width, height);
-      dilate<kMargin>(ImageView<const std::uint8_t>{image.row(top) + left, width, height, image.stride}, rows_,
-                      covered_.view());
-      for (int v = 0; v < height; ++v) {
-        const std::uint8_t* covered = covered_.row(v);
-        std::uint8_t* __restrict out = pixels.row(top + v) + left;
-        for (int u = 0; u < width; ++u) out[u] = covered[u] ? 0 : out[u];
-      }
-    }
+    double area = 0;
+    for (const auto& box : labels.boxes()) area += 1.0 * box[2] * box[3];
+    if (area > 1.0 * image.width * image.height) return cover({0, 0, image.width, image.height}, image);
+    for (const auto& box : labels.boxes()) cover(box, image);
   }
 
  private:
+  /// Takes a box and its margin out of the background.
+  void cover(const std::array<int, 4>& box, ImageView<const std::uint8_t> image) {
+    const auto [left, top, width, height] = clip_box(
+        {box[0] - kMargin, box[1] - kMargin, box[2] + 2 * kMargin, box[3] + 2 * kMargin}, image.width, image.height);
+    covered_.resize(width, height);
+    dilate<kMargin>(ImageView<const std::uint8_t>{image.row(top) + left, width, height, image.stride}, rows_,
+                    covered_.view());
+    for (int v = 0; v < height; ++v) {
+      const std::uint8_t* covered = covered_.row(v);
+      std::uint8_t* __restrict out = pixels.row(top + v) + left;
+      for (int u = 0; u < width; ++u) out[u] = covered[u] ? 0 : out[u];
+    }
+  }
+
   Image<std::uint8_t> covered_;  ///< a box and its margin: non-zero where objects are, with the margin
   Image<std::uint8_t> rows_;     ///< scratch of the dilation
 };

@@ -28,13 +28,13 @@ DOT_BEGIN_NAMESPACE
 /// scale the priors of DepthNoise: `change` against the previous frame, `common` against one about 0.4 s back. A
 /// standing camera sees the same errors again. So the image must have moved by kMinMotion pixels.
 struct DepthLearning {
-  static constexpr int kWidth = 40;                  ///< pixels: patch
-  static constexpr int kHeight = 30;                 ///< pixels: patch
-  static constexpr int kStep = 4;                    ///< pixels: from one sample to the next
-  static constexpr int kSamples = 80;                ///< of a patch
-  static constexpr int kMinSamples = 40;             ///< that must be measured
-  static constexpr int kPatches = 180;               ///< enough patches of a frame
-  static constexpr double kMinMotion = 1.5;          ///< pixels, median over the samples
+  static constexpr int kWidth = 40;                                      ///< pixels: patch
+  static constexpr int kHeight = 30;                                     ///< pixels: patch
+  static constexpr int kStep = 4;                                        ///< pixels: from one sample to the next
+  static constexpr int kSamples = (kWidth / kStep) * (kHeight / kStep);  ///< of a patch
+  static constexpr int kMinSamples = 40;                                 ///< that must be measured
+  static constexpr int kPatches = 180;                                   ///< enough patches of a frame
+  static constexpr double kMinMotion = 1.5;                              ///< pixels, median over the samples
   static constexpr double kSharedQuantile = 0.85;    ///< of the patches' errors, whose tails are heavy
   static constexpr float kSigmasOfQuantile = 1.44f;  ///< |x| / sigma of a normal at that quantile
   static constexpr std::size_t kMinPatches = 5;      ///< of a comparison

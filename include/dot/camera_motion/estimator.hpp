@@ -113,7 +113,7 @@ struct CameraMotionEstimator {
     if (fine > 0)
       for (Alignment& a : candidates) a = aligner.align_near(problem, a.state, 0);
     if (candidates.size() == 1) {
-      aligner.reject_outliers_and_refit(problem, candidates[0], true);
+      aligner.reject_outliers_and_refit(problem, candidates[0], fine > 0);
       return candidates[0];
     }
     const MotionChoice choice(problem, candidates, predicted.back(), evidence, settings, aligner, workspace);

@@ -12,16 +12,16 @@ DOT_BEGIN_NAMESPACE
 
 /// A discovered object is a candidate until its fits confirm that it moves. Candidates are not shown in the results.
 struct Candidacy {
-  static constexpr int kMost = 6;                      ///< candidates that are followed at a time, the largest first
+  static constexpr int kMost = 6;                      ///< candidates that are followed at a time
   static constexpr double kConfirmedSeconds = 0.05;    ///< seconds of agreeing fits after which a discovery is shown
   static constexpr double kMaxConfirmedSeconds = 0.5;  ///< upper limit of `confirmed`
   static constexpr double kMinSupport = 0.5;           ///< least support of an object that is shown
   static constexpr double kSupportSeconds = 0.3;       ///< time constant of the support
   static constexpr double kSeconds = 0.25;             ///< an unconfirmed candidate must be seen again within
-  static constexpr double kTrialSeconds = 1;           ///< after which a candidate that was never confirmed is rejected
+  static constexpr double kTrialSeconds = 1;           ///< with fits, after which an unconfirmed candidate is rejected
 
   bool is_candidate = false;  ///< it does not count as moving now, and is not shown
-  double tried = 0;           ///< seconds that it was followed
+  double tried = 0;           ///< seconds with fits since it was last confirmed
   double confirmed = 0;       ///< seconds with fits that agreed with earlier ones, minus seconds with others
   bool is_examined = false;   ///< whether there was any evidence for `support`
   double support = 0;         ///< how sure it is that its pixels do not stand, 0 to 1; smoothed

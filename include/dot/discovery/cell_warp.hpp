@@ -34,7 +34,7 @@ class CellWarp {
   }
 
   /// Moves all cells of row y by T, for `is_seen`. The loop has no branches, so that compilers generate SIMD code from
-  /// it for simple cameras. @param q their inverse depths, 1/m, 0 = none.
+  /// it for simple cameras. @pre `prepare` was called. @param q their inverse depths, 1/m, 0 = none.
   void move_row(const Camera& camera, const SE3f& T, int y, const float* q) {
     const Matrix3<float> R = T.R;
     const Vector3<float> t = T.t;

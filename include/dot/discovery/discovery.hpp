@@ -30,9 +30,10 @@ class Discovery {
   static constexpr int kLevel = 2;  ///< pyramid level whose pixels are the cells
 
   /// Explanations of a pixel, for `find`. The other values are numbers of moving objects that were found before.
-  static constexpr std::uint8_t kNothing = 0;     ///< background
-  static constexpr std::uint8_t kStanding = 254;  ///< an object that was found before and is static
-  static constexpr std::uint8_t kCovered = 255;   ///< a mask of the network
+  static constexpr std::uint8_t kNothing = 0;  ///< background
+  static constexpr std::uint8_t kStanding =
+      254;  ///< an object that was found before and is static, or was not confirmed
+  static constexpr std::uint8_t kCovered = 255;  ///< a mask of the network
 
   double reference_seconds = 0.4;  ///< age of the oldest frame that the new one is compared with
   std::vector<Mask> masks;         ///< of the regions of this frame

@@ -34,7 +34,7 @@ struct UninitializedAllocator : std::allocator<T> {
   }
 };
 
-/// A vector of numbers whose `resize` leaves the new elements unspecified.
+/// A vector of numbers, or of structures of numbers, whose `resize` leaves the new elements unspecified.
 template <typename T>
 using Buffer = std::vector<T, UninitializedAllocator<T>>;
 

@@ -77,20 +77,21 @@ struct ObjectMotionEstimator {
     const int fine = std::min(1, top);
     Minima& minima = workspace.minima;
     minima.found.clear();
-    for (std::size_t i = 0; i < count; ++i) {
-      const AlignState start{problem.T_outer * starts[i], pair.camera.gain, pair.camera.offset};
-      const auto leads_here = [&](const Alignment& found) {
-        return is_near(problem.points, problem.camera, start.T, found.state.T, 1 << top);
-      };
-      // Less than a pixel of the coarsest level away from a minimum, a start leads to that minimum.
-      if (std::any_of(minima.found.begin(), minima.found.end(), leads_here)) continue;
-      minima.add(problem, aligner.align(problem, start, top, fine));
-    }
-    std::vector<Alignment>& candidates = minima.found;
     // A few points may agree by chance, and then better than any other minimum.
     const auto sees_few = [&](const Alignment& a) {
       return a.seen < settings.min_inliers || a.seen < kLeastSeen * settings.min_visible * points;
     };
+    for (std::size_t i = 0; i < count; ++i) {
+      const AlignState start{problem.T_outer * starts[i], pair.camera.gain, pair.camera.offset};
+      // Less than a pixel of the coarsest level away from a minimum, a start nearly always leads to that minimum.
+      const auto leads_to = [&](const Alignment& found) {
+        return found.converged && !sees_few(found) &&
+               is_near(problem.points, problem.camera, start.T, found.state.T, 1 << top);
+      };
+      if (std::none_of(minima.found.begin(), minima.found.end(), leads_to))
+        minima.add(problem, aligner.align(problem, start, top, fine));
+    }
+    std::vector<Alignment>& candidates = minima.found;
     minima.drop_if(sees_few);
     if (fine > 0)
       for (Alignment& a : candidates) a = aligner.align(problem, a.state, 0);
@@ -100,7 +101,7 @@ struct ObjectMotionEstimator {
     const auto& order = workspace.ranked;
     for (std::size_t i = 0; i < std::min(order.size(), kTried); ++i) {
       Alignment& a = candidates[order[i].second];
-      aligner.reject_outliers_and_refit(problem, a, fine > 0 && order.size() == 1);
+      aligner.reject_outliers_and_refit(problem, a, fine > 0 && candidates.size() == 1);
       ObjectFit attempt = fit_of(pair, problem, a, noise);
       attempt.reason = check(points, a, attempt, known);
       if (i == 0 || attempt.ok()) out = attempt;

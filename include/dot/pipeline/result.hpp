@@ -86,7 +86,7 @@ struct ObjectResult {
 enum class Stage : std::uint8_t {
   Image,    ///< grey image, pyramids, inverse depth
   Camera,   ///< the camera's motion
-  Masks,    ///< reading, predicting and associating masks
+  Masks,    ///< reading, predicting and associating masks; the noise of the depth
   Objects,  ///< the objects' motions and states
   Label,    ///< label and id images
   Points,   ///< points of the new frame, for the next ones

@@ -38,7 +38,7 @@ struct TrackedOutline {
   bool is_newest = false;    ///< the shape is of the last segmented frame, and the camera's motion since is known
 
   WarpedMask warped;       ///< the shape in the current frame
-  bool is_coarse = false;  ///< `warped` is a prediction on a coarse level
+  bool is_coarse = false;  ///< `warped` is a prediction on a coarse level, with inverse depths on request
   SE3d T_frame_shape;      ///< the motion of that warp
 
   Mask mask;                  ///< the part shown in the current frame
@@ -93,10 +93,6 @@ struct TrackedOutline {
       make_flat_template(observed, q, shape);
   }
 
-  /// For an outline that is not needed any more: its memory is kept for another one, the frame must not be.
-  void release_frame() noexcept { shape_frame.reset(); }
-
- private:
   /// Gives the shape its depth, if that was put off.
   void complete(const MaskSettings& settings, OutlineWorkspace& workspace) {
     if (!shape_frame) return;
@@ -108,6 +104,10 @@ struct TrackedOutline {
     shape_frame.reset();
   }
 
+  /// For an outline that is not needed any more: its memory is kept for another one, the frame must not be.
+  void release_frame() noexcept { shape_frame.reset(); }
+
+ private:
   /// Remembers the part of the outline that is hidden while a mask shows the rest. It is recognised when it comes out.
   template <typename Camera>
   void remember_hidden_part(const Mask& observed, const SE3d& T_frame_old, const DepthPyramid& depth,

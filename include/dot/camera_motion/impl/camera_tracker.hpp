@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <type_traits>
-#include <utility>
 
 /// @file
 /// Definitions of camera_motion/camera_tracker.hpp, which includes this file.

@@ -13,9 +13,9 @@ DOT_BEGIN_NAMESPACE
 
 DOT_INLINE void Candidacy::confirm(const ObjectStep& step, const ObjectBelief& belief, const VelocitySettings& settings,
                                    double dt) {
-  tried += dt;
   const Reason reason = step.fit.reason;
   if (reason == Reason::Occluded || reason == Reason::LeavesImage || reason == Reason::Hidden) return;
+  tried += dt;
   bool agrees = step.fit.ok();
   if (agrees) {
     if (!belief.has_velocity()) return;  // the first fit
@@ -28,6 +28,7 @@ DOT_INLINE void Candidacy::confirm(const ObjectStep& step, const ObjectBelief& b
         SingleFrameClassifier{settings}(none, &step.evidence, Matrix3<double>::Identity(), dt).state == State::Moving;
   }
   confirmed = std::clamp(confirmed + (agrees ? 1 : -1) * dt, 0.0, kMaxConfirmedSeconds);
+  if (was_confirmed()) tried = 0;
 }
 
 DOT_END_NAMESPACE

@@ -49,6 +49,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::forget_motions(double before) {
     t.motion.forget_before(before);
     t.belief.forget();
     t.memory = {};
+    t.candidacy.tried = 0;
   }
 }
 
@@ -71,7 +72,8 @@ void Tracks<Camera, Classifier, Noise, Aligner>::predict(Track& t, const Interva
   if (!camera.known()) t.motion.forget_references(Reason::CameraLost);
   for (ObjectReference& r : t.motion.references)
     if (r.points.subtract_bias(interval.cur.bias, setup.camera.width(), setup.camera.height())) r.set_centroid();
-  const SE3d T_cur_prev = camera.T_cur_prev * t.belief.expected_motion(camera.seconds);
+  const SE3d T_o = t.is_rejected_candidate() ? SE3d{} : t.belief.expected_motion(camera.seconds);
+  const SE3d T_cur_prev = camera.T_cur_prev * T_o;
   t.expected = t.motion.position_now.moved(T_cur_prev);
   const SE3d T_cur_shape = T_cur_prev * t.outline.T_now_shape;
   t.outline.predict_by(T_cur_shape, interval.cur.depth, setup.camera, setup.mask, worker.outline,
@@ -138,7 +140,6 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval
   ObjectStep& step = t.motion.step;
   if (t.is_rejected_candidate() && camera.known()) {
     step = {};
-    step.T_o = step.T_o_outline = t.belief.expected_motion(camera.seconds);
     step.fit.reason = Reason::Hidden;
   } else {
     const bool discovered = t.identity.discovered;
@@ -159,7 +160,10 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval
   // An observed object needs no prediction, and a static one was predicted by the same motion.
   const bool same = !outline.is_coarse && outline.T_frame_shape.R == outline.T_now_shape.R &&
                     outline.T_frame_shape.t == outline.T_now_shape.t;
-  if (!t.observed && !same && !t.is_rejected_candidate())
+  if (t.observed || same) return;
+  if (t.is_rejected_candidate())
+    outline.complete(setup.mask, worker.outline);  // so that it does not hold its frame
+  else
     outline.warp_by(outline.T_now_shape, interval.cur.inverse_depth(), setup.camera, setup.mask, worker.outline);
 }
 

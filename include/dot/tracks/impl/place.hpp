@@ -96,7 +96,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::align_backwards(Track& t, const
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 int Tracks<Camera, Classifier, Noise, Aligner>::start(Observations& observations, const Setup& setup) {
   int too_small = 0, candidates = 0;
-  for (const Track& t : tracks_) candidates += t.candidacy.is_candidate && !t.is_rejected_candidate();
+  for (const Track& t : tracks_) candidates += t.candidacy.is_candidate && !t.is_rejected_candidate() && !t.lost;
   for (Observation& o : observations.list) {
     if (o.assigned) continue;
     if (o.discovered && ++candidates > Candidacy::kMost) continue;

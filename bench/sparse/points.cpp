@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <string>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -53,14 +54,18 @@ void write_points(const std::filesystem::path& path, const dot::FrameData& frame
   if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
-void run(const char* folder, int index, const std::filesystem::path& out) {
+void run(const char* folder, const char* number, const std::filesystem::path& out) {
   runner::RunOptions run;
   run.sequence.folder = folder;
   runner::Sequence sequence(run.sequence);
   const dot::Options options = runner::tracker_options(run, sequence.depth_source());
   const dot::Pinhole camera(sequence.intrinsics());
   const dot::DepthNoise noise(options.depth_noise, sequence.intrinsics());
-  const runner::SequenceFrame read = sequence.read(index);
+  char* end = nullptr;
+  const long index = std::strtol(number, &end, 10);
+  if (end == number || *end != 0 || index < 0 || index >= sequence.size())
+    throw std::invalid_argument("FRAME must be 0 to " + std::to_string(sequence.size() - 1));
+  const runner::SequenceFrame read = sequence.read(static_cast<int>(index));
   const dot::Frame frame = read.frame();
   const dot::FrameStore::Settings settings{options.align.max_levels, options.selection.max_depth};
   const dot::kernel::Kernels& kernels = dot::portable_kernels();
@@ -85,7 +90,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   try {
-    run(argv[1], std::atoi(argv[2]), argv[3]);
+    run(argv[1], argv[2], argv[3]);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_sparse_points: %s\n", error.what());

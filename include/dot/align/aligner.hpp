@@ -30,6 +30,7 @@ struct DirectAligner {
     Alignment a;
     a.state = start;
     excluded_.assign(static_cast<std::size_t>(problem.points.size()), 0);
+    are_current_ = false;
     for (int level = coarsest; level >= finest; --level) refine(problem, level, a, level == finest);
     return a;
   }
@@ -41,6 +42,7 @@ struct DirectAligner {
     Alignment a;
     a.state = start;
     excluded_.assign(static_cast<std::size_t>(problem.points.size()), 0);
+    are_current_ = false;
     refine(problem, level, a, true, true);
     return a;
   }
@@ -55,14 +57,15 @@ struct DirectAligner {
     const auto size = static_cast<std::size_t>(problem.points.size());
     const PointResiduals& p = residuals_;
     if (!just_aligned || excluded_.size() != size) excluded_.assign(size, 0);
-    if (!just_aligned || !are_final_ || p.size() != size) residuals(problem, 0, a.state, a.sigma_intensity);
+    if (!just_aligned || !are_current_ || p.size() != size) residuals(problem, 0, a.state, a.sigma_intensity);
     a.sigma_intensity = scale_of_residuals();
     const auto r2 = [&](std::size_t i) { return sq(static_cast<double>(p.r[i])); };
     const auto s2 = [&](std::size_t i) { return sq(a.sigma_intensity) + static_cast<double>(p.extra[i]); };
     exclude_outliers(a);
-    refine(problem, 0, a, true, false, true);
+    are_current_ = true;
+    refine(problem, 0, a, true);
     // Statistics over all points, including the excluded ones.
-    if (!are_final_) residuals(problem, 0, a.state, a.sigma_intensity);
+    if (!are_current_) residuals(problem, 0, a.state, a.sigma_intensity);
     Pearson pearson;
     double sum = 0;
     scratch_.clear();
@@ -190,7 +193,7 @@ struct DirectAligner {
     reduction.residuals(problem.points, level, problem.camera.at_level(level),
                         problem.image.levels[static_cast<std::size_t>(level)], state, residual_noise(sigma_intensity),
                         problem.depth_at(level), residuals_);
-    are_final_ = false;
+    are_current_ = false;
   }
 
   /// Robust sigma_I of the residuals that are not excluded: that for which the median of r^2 / (sigma_I^2 + extra) is
@@ -229,13 +232,12 @@ struct DirectAligner {
   }
 
   /// Gauss-Newton on one level. On level 0 it is repeated if the first round changed the residual scale or did not
-  /// converge. @param near as in `align_near`. @param has_residuals those of `a` were computed last.
+  /// converge. @param near as in `align_near`.
   template <typename Camera>
-  void refine(const AlignProblem<Camera>& problem, int level, Alignment& a, bool want_covariance, bool near = false,
-              bool has_residuals = false);
+  void refine(const AlignProblem<Camera>& problem, int level, Alignment& a, bool want_covariance, bool near = false);
 
   PointResiduals residuals_;
-  bool are_final_ = false;  ///< whether they are those of the state after `refine`, on level 0
+  bool are_current_ = false;  ///< whether they are those of the alignment at hand, on the level that is refined
   std::vector<std::uint8_t> excluded_;
   Buffer<float> scratch_, magnitudes_;
 };

@@ -175,7 +175,9 @@ class InconsistencyTest {
             const CellMotion& motion, Inconsistency& out, Counts&& counts) {
     const SE3f T = motion.T_cur_ref.template cast<float>();
     for (int y = 0; y < standing.height(); ++y) {
-      warp.move_row(camera, T, y, standing.row(y));
+      const float* row = standing.row(y);
+      if (std::none_of(row, row + standing.width(), [](float q) { return q > 0; })) continue;
+      warp.move_row(camera, T, y, row);
       for (int x = 0; x < standing.width(); ++x) {
         const float q = standing(x, y);
         Moved m;

@@ -14,7 +14,7 @@ DOT_BEGIN_NAMESPACE
 template <typename Reduction>
 template <typename Camera>
 void DirectAligner<Reduction>::refine(const AlignProblem<Camera>& problem, int level, Alignment& a,
-                                      bool want_covariance, bool near, bool has_residuals) {
+                                      bool want_covariance, bool near) {
   const Camera camera = problem.camera.at_level(level);
   const Image<std::uint8_t>& image = problem.image.levels[static_cast<std::size_t>(level)];
   const DepthTerm depth = problem.depth_at(level);
@@ -22,17 +22,17 @@ void DirectAligner<Reduction>::refine(const AlignProblem<Camera>& problem, int l
   std::array<Vector8, 4> modes;
   Matrix3<double> modes_R;
   a.seen = 0;
-  are_final_ = false;
   for (int round = 0; round < 2; ++round) {
     const double scale_before = a.sigma_intensity;
-    if (round > 0 || !has_residuals) residuals(problem, level, a.state, a.sigma_intensity);
+    if (!are_current_) residuals(problem, level, a.state, a.sigma_intensity);
     if (near) std::fill(excluded_.begin(), excluded_.end(), std::uint8_t{0});
     a.sigma_intensity = scale_of_residuals();
     if (near) exclude_outliers(a);
     if (round > 0 && a.converged && std::abs(a.sigma_intensity - scale_before) < kSameScale * scale_before) {
-      are_final_ = true;
+      are_current_ = true;
       break;
     }
+    are_current_ = false;
     const ResidualNoise noise = residual_noise(a.sigma_intensity);
     AlignState accepted = a.state;
     double accepted_cost = std::numeric_limits<double>::infinity();

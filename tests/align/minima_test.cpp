@@ -12,6 +12,7 @@ namespace {
 
 using dot::find_minima;
 using dot::keep_cheapest;
+using dot::keep_comparable;
 
 using Pairs = std::vector<std::pair<double, char>>;
 
@@ -35,6 +36,30 @@ TEST(KeepCheapest, LeavesWhatIsBefore) {
   EXPECT_EQ(letters(pairs), "zyab");
   keep_cheapest(pairs, 2, 4);
   EXPECT_EQ(letters(pairs), "zyab");
+}
+
+TEST(KeepComparable, DropsWhatCostsMuchMore) {
+  Pairs pairs{{2.1, 'c'}, {1, 'a'}, {4, 'd'}, {2, 'b'}};
+  keep_comparable(pairs, 2);
+  EXPECT_EQ(letters(pairs), "ab");
+  keep_comparable(pairs, 1.5);
+  EXPECT_EQ(letters(pairs), "a");
+}
+
+TEST(KeepComparable, NoCostIsMuchMoreWhereAllAreNegligible) {
+  Pairs pairs{{0.06, 'c'}, {0.04, 'b'}, {0, 'a'}};
+  keep_comparable(pairs, 2);
+  EXPECT_EQ(letters(pairs), "ab");
+}
+
+TEST(KeepComparable, NothingSeenAnywhere) {
+  constexpr double beyond = std::numeric_limits<double>::infinity();
+  Pairs pairs{{beyond, 'a'}, {beyond, 'b'}};
+  keep_comparable(pairs, 2);
+  EXPECT_EQ(letters(pairs), "ab");
+  Pairs none;
+  keep_comparable(none, 2);
+  EXPECT_EQ(letters(none), "");
 }
 
 /// Where minima of a cost given for -n..n are found.

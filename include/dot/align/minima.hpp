@@ -25,6 +25,19 @@ void keep_cheapest(Pairs& pairs, std::size_t count, std::size_t begin = 0) {
   pairs.erase(kept, pairs.end());
 }
 
+/// Tukey cost of a point in a perfect image, at most. It is no worse than any lower one; an inlier's is 0.45.
+inline constexpr double kNegligibleCost = 0.05;
+
+/// Keeps the pairs (cost, value) whose cost is at most `ratio` times the lowest one, or negligible, sorted by cost.
+template <typename Pairs>
+void keep_comparable(Pairs& pairs, double ratio) {
+  keep_cheapest(pairs, pairs.size());
+  const auto costs_more = [&](const auto& pair) {
+    return pair.first > std::max(kNegligibleCost, ratio * pairs.front().first);
+  };
+  pairs.erase(std::find_if(pairs.begin(), pairs.end(), costs_more), pairs.end());
+}
+
 /// Calls `found(cost, i)` for each i in [-n, n] whose cost(i) is finite and no higher than that of its neighbours.
 template <typename Cost, typename Found>
 void find_minima(int n, Cost&& cost, Found&& found) {

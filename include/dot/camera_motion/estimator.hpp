@@ -144,8 +144,6 @@ struct CameraMotionEstimator {
   static constexpr double kSameFine = 0.5;     ///< pixels up to which two minima of a search are one, before level 0
   static constexpr int kStepsAhead = 16;       ///< number of shifts to each side; 5 cm each on a road
   static constexpr int kSteps = 6;             ///< the same along the least determined direction
-  static constexpr double kNegligible =
-      0.05;  ///< cost of a point that is no worse than any lower one; an inlier's is 0.45
   static constexpr double kHopeless =
       1.5;  ///< largest cost of a shift over that of its start, of a start over the best
 
@@ -230,7 +228,7 @@ struct CameraMotionEstimator {
     while (kept.size() < std::min(found.size(), kCompared)) {
       const std::size_t next = costs.best(0);
       const auto cost = [&] { return aligner.tukey_cost(problem, found[next].state, level, sigma); };
-      if (costs.ratio(next, first) > kHopeless && cost() > kNegligible) break;
+      if (costs.ratio(next, first) > kHopeless && cost() > kNegligibleCost) break;
       kept.push_back(found[next]);
       costs.remove(next);
     }

@@ -21,11 +21,12 @@ struct CameraSearch {
   /// How much is searched: of all points, or of those that a motion found before does not explain.
   struct Effort {
     std::size_t shifts;  ///< that are kept for each rotation
+    std::size_t places;  ///< that are kept of all of these, to be refined
     int rounds;          ///< of the refinement about each of them
     int points;          ///< that refine, roughly
   };
-  static constexpr Effort kThorough{8, 2, 350};  ///< of all points
-  static constexpr Effort kBrief{4, 1, 250};     ///< of those that a motion found before does not explain
+  static constexpr Effort kThorough{8, 40, 2, 350};  ///< of all points
+  static constexpr Effort kBrief{4, 8, 1, 250};      ///< of those that a motion found before does not explain
 
   double metres = 0;      ///< largest expected translation of the camera
   double radians = 0;     ///< largest expected rotation of the camera
@@ -57,14 +58,15 @@ struct CameraSearch {
         tried[i].first = aligner.tukey_cost(problem, tried[i].second, level, sigma);
       keep_cheapest(tried, effort.shifts, others);
     }
-    workspace.starts.clear();
     const AlignProblem<Camera> part = part_of(problem, effort.points, workspace);
-    for (auto& place : tried) {
-      place.first = aligner.tukey_cost(part, place.second, level, sigma);
-      for (int round = 0; round < effort.rounds; ++round)
-        if (!improve(part, depth, sigma, aligner, place)) break;
-      workspace.starts.push_back(place.second);
+    for (auto& place : tried) place.first = aligner.tukey_cost(part, place.second, level, sigma);
+    keep_cheapest(tried, effort.places);
+    for (int round = 0; round < effort.rounds; ++round) {
+      for (auto& place : tried) improve(part, depth, sigma, aligner, place);
+      keep_comparable(tried, kHopeless);
     }
+    workspace.starts.clear();
+    for (const auto& place : tried) workspace.starts.push_back(place.second);
   }
 
   /// Aligns from all starts, and visits the minima that they lead to on the level `fine`, as alignments of all points.
@@ -117,6 +119,7 @@ struct CameraSearch {
   static constexpr std::size_t kMore = 4;       ///< shifts that all points compare, in addition to those that are kept
   static constexpr std::size_t kFollowed = 10;  ///< minima of a part of the points that are refined with all
   static constexpr double kSamePixels = 1;      ///< up to which two of these are the same
+  static constexpr double kHopeless = 2;        ///< largest cost of a refined place over that of the best one
 
   /// Adds shifts along each axis that fit better than their neighbours. Sideways they go up to half the depth, where
   /// little of the image is still in common. Along the optical axis far points stay visible, so they go twice as far.
@@ -139,14 +142,12 @@ struct CameraSearch {
 
   /// Moves a place to the best of several small rotations about one axis, then about the other, then to the best of
   /// several shifts.
-  /// @return whether one was better.
   template <typename Camera, typename Aligner>
-  bool improve(const AlignProblem<Camera>& problem, double depth, double sigma, Aligner& aligner,
+  void improve(const AlignProblem<Camera>& problem, double depth, double sigma, Aligner& aligner,
                Places::value_type& place) const {
     const int level = level_of(std::min(problem.points.levels, problem.image.size()));
     const double turn = 2 * (1 << level) / problem.camera.intrinsics().fx;
     const double shift = 0.5 * std::min(metres, depth) / kSteps;
-    const double cost_before = place.first;
     const auto take_best = [&](int n, auto&& step) {
       const AlignState from = place.second;
       for (int i = -n; i <= n; ++i) {
@@ -161,7 +162,6 @@ struct CameraSearch {
     take_best(2, [&](int i) { return turned(i * turn, 0); });
     take_best(2, [&](int i) { return turned(0, i * turn); });
     take_best(4, [&](int i) { return SE3d::translation(Vector3<double>(0, 0, i * shift)); });
-    return place.first < cost_before;
   }
 };
 

@@ -118,6 +118,21 @@ TEST(Watch, TellsLittleTextureFromLittleDepth) {
   EXPECT_EQ(look(setting).figure, 0);
 }
 
+// A lidar that is slower than the camera: the frames with depth have enough of everything.
+TEST(Watch, TellsLittleTextureFromDepthThatComesWithSomeFrames) {
+  dot::Watch watch;
+  const dot::DepthNoise noise(dot::DepthNoiseSettings{}, dot::Intrinsics{300, 300, 160, 120, kWidth, kHeight, 0});
+  for (int i = 0; i < 40; ++i) {
+    dot::FrameData frame = scene(100 + i);
+    const bool without = i % 3 != 0;
+    if (without) frame.depth.levels[0].fill(0);
+    const Diagnosis diagnosis = watch.look(frame, noise, i > 0 ? 0.1 : 0, 1, without);
+    if (i < 20) continue;
+    EXPECT_EQ(diagnosis.reason, Suspicion::TooLittleDepth) << i;
+    EXPECT_EQ(diagnosis.figure, 0) << i;
+  }
+}
+
 TEST(Watch, ForgetsOnRequest) {
   dot::Watch watch;
   const dot::DepthNoise noise(dot::DepthNoiseSettings{}, dot::Intrinsics{300, 300, 160, 120, kWidth, kHeight, 0});

@@ -142,6 +142,36 @@ TEST(Bounds, IdsThatAreStrewnOverTheImageAreRefused) {
   EXPECT_EQ(dot.track(wall.next()).objects[0].reason, Reason::None);
 }
 
+// A list may overlap as much as ids are strewn, no more: each mask may meet each other one.
+TEST(Bounds, MasksOfAListThatOverlapTooMuchAreRefused) {
+  Wall wall(1, 1, 40, 50);
+  Dot<> dot(Wall::camera());
+  dot.track(wall.next());
+  Image<std::uint8_t> all(Wall::kWidth, Wall::kHeight);
+  all.fill(1);
+  std::vector<dot::Instance> list(33);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    list[i].id = static_cast<std::uint32_t>(i + 1);
+    list[i].mask = {all.row(0), Wall::kWidth, Wall::kHeight, Wall::kWidth, PixelFormat::Id8};
+  }
+  Frame frame = wall.next();
+  const Frame with_ids = frame;
+  frame.masks = dot::Masks{{}, {list.data(), list.size()}};
+  const std::string message = refusal([&] { dot.track(frame); });
+  EXPECT_EQ(message.rfind("frame.masks.instances: has masks that overlap too much", 0), 0u) << message;
+  EXPECT_EQ(dot.track(with_ids).objects[0].reason, Reason::None);
+
+  // As many images of full size, each with one small instance, as most networks give them.
+  Image<std::uint8_t> small(Wall::kWidth, Wall::kHeight);
+  small.fill(0);
+  for (int y = 100; y < 140; ++y)
+    for (int x = 100; x < 140; ++x) small(x, y) = 1;
+  for (dot::Instance& instance : list) instance.mask.data = small.row(0);
+  frame = wall.next();
+  frame.masks = dot::Masks{{}, {list.data(), list.size()}};
+  EXPECT_EQ(refusal([&] { dot.track(frame); }), "accepted");
+}
+
 TEST(Bounds, SmallMasksStartNoTrackAndAreCounted) {
   Wall wall(20, 10, 5, 20);  // 25 pixels each
   Dot<> dot(Wall::camera());

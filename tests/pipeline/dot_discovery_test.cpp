@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <string>
 
 #include "dot/dot.hpp"
@@ -22,6 +23,7 @@ using dot::ObjectResult;
 using dot::Options;
 using dot::Pinhole;
 using dot::Result;
+using dot::SE3d;
 using dot::State;
 using dot::Vector3;
 using namespace dot::test;
@@ -119,6 +121,22 @@ TEST(Discovery, FindsWhatCrossesWhenNoMaskEverComes) {
   expect_found(film, 18, 7);
 }
 
+// A lidar of 10 Hz beside a camera of 20 or 30 Hz: the frames between have no depth.
+TEST(Discovery, FindsWhatCrossesWithDepthInSomeFrames) {
+  for (const int every : {2, 3}) {
+    SCOPED_TRACE(every);
+    Film<> film = blind_film();
+    film.interval = 0.1 / every;
+    film.spoil = [every](int i, Rendering& seen) {
+      if (i % every != 0) seen.depth.fill(0);
+    };
+    film.camera_path = straight({0, 0, 0}, {0, 0, 1});
+    film.add(parked, straight({2.6, 1.3, 9}));
+    film.add(mover, straight({-3.5, 1.3, 8}, {2.5, 0, 0}));
+    expect_found(film, 18 * every, 10 * every);
+  }
+}
+
 // The same, and nearly all depth of the mover fails in some frames: it is not found there but carried on.
 TEST(Discovery, CarriesOnWhatItFoundWhenNoMaskEverComes) {
   for (const int first : {4, 7, 10}) {
@@ -172,6 +190,32 @@ TEST(Discovery, GoesOnWithoutTheLastSegmentation) {
     }
     EXPECT_GE(m.on, 0.6 * m.body);
   }
+}
+
+// What was found stops, and may be dropped. Until it is, and in its last frame, the results say so.
+TEST(Discovery, NothingThatWasReportedGoesWithoutAReason) {
+  Film<> film = blind_film();
+  film.camera_path = straight({0, 0, 0}, {0, 0, 0.3});
+  film.add(mover, [](double t) { return SE3d::translation(Vector3<double>(-3.5 + 2.5 * std::min(t, 1.5), 1.3, 8)); });
+  Dot<> dot = make_dot();
+  std::map<std::uint32_t, dot::Reason> before;
+  int hidden = 0, lost = 0;
+  for (int i = 0; i < 60; ++i) {
+    std::map<std::uint32_t, dot::Reason> now;
+    for (const ObjectResult& o : film.next(dot).objects) {
+      now[o.id] = o.reason;
+      lost += o.reason == dot::Reason::Lost;
+      if (o.reason != dot::Reason::Hidden) continue;
+      ++hidden;
+      EXPECT_EQ(o.area, 0) << i;
+    }
+    for (const auto& [id, reason] : before) {
+      EXPECT_TRUE(reason == dot::Reason::Lost || now.count(id)) << "frame " << i << ", object " << id;
+    }
+    before = now;
+  }
+  EXPECT_GT(hidden, 0);
+  EXPECT_GT(lost, 0);
 }
 
 TEST(Discovery, FindsWhatGoesAway) {

@@ -106,7 +106,8 @@ enum {
   DOT_REASON_TOO_FEW_INLIERS = 10,    ///< too few points agree with the fitted line between intensities
   DOT_REASON_DEPTH_DISAGREES = 11,    ///< the motion found contradicts the measured depth
   DOT_REASON_IMPLAUSIBLE = 12,        ///< faster than the setting object.max_speed
-  DOT_REASON_HIDDEN = 13,             ///< neither predicted to be visible nor shown by a mask
+  DOT_REASON_HIDDEN = 13,             ///< neither predicted to be visible nor shown by a mask; or discovered, and no
+                                      ///< longer confirmed to move
   DOT_REASON_CAMERA_LOST = 14,        ///< no camera motion, hence no object motion
   DOT_REASON_LOST = 15,               ///< not seen for too long: dropped after this frame
   DOT_REASON_TOO_MANY_OBJECTS =

@@ -34,13 +34,17 @@ class Watch {
       repeats_.add(false);
     }
     few_points_.add(too_few_points);
+    const double measured =
+        step_.pixels() > 0 ? static_cast<double>(step_.measured()) / static_cast<double>(step_.pixels()) : 1;
+    const bool little_depth = too_few_points && measured < kLittleDepth;
+    no_depth_.add(little_depth);
+    if (little_depth) little_depth_ = measured;
 
     if (gaps_.share() > 0.5) return {Suspicion::ImplausibleTimes, seconds};
     if (repeats_.share() >= kRepeats) return {Suspicion::RepeatedImages, repeats_.share()};
-    const double measured =
-        step_.pixels() > 0 ? static_cast<double>(step_.measured()) / static_cast<double>(step_.pixels()) : 1;
     if (few_points_.share() > 0.5) {
-      if (measured < kLittleDepth) return {Suspicion::TooLittleDepth, measured};
+      // Depth may come with some of the frames alone, so that this frame does not tell what the others lack.
+      if (no_depth_.share() > 0.5 * few_points_.share()) return {Suspicion::TooLittleDepth, little_depth_};
       return {Suspicion::TooLittleTexture, few_points_.share()};
     }
     const double depth = step_.mean_inverse_depth() > 0 ? 1 / step_.mean_inverse_depth() : 1;
@@ -52,7 +56,7 @@ class Watch {
   /// Starts afresh, as at the first frame.
   void forget() noexcept {
     step_.clear();
-    gaps_ = repeats_ = few_points_ = {};
+    gaps_ = repeats_ = few_points_ = no_depth_ = {};
     run_ = 0;
   }
 
@@ -83,8 +87,9 @@ class Watch {
   static constexpr double kFarthest = 150, kNearest = 0.1;  ///< metres, harmonic mean
 
   DepthStep step_;
-  Share gaps_, repeats_, few_points_;
-  int run_ = 0;  ///< repeated images, up to the newest
+  Share gaps_, repeats_, few_points_, no_depth_;
+  double little_depth_ = 0;  ///< share of the pixels with depth in the last frame that had too little
+  int run_ = 0;              ///< repeated images, up to the newest
 };
 
 DOT_END_NAMESPACE

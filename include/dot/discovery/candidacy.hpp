@@ -21,6 +21,7 @@ struct Candidacy {
   static constexpr double kTrialSeconds = 1;           ///< with fits, after which an unconfirmed candidate is rejected
 
   bool is_candidate = false;  ///< it does not count as moving now, and is not shown
+  bool was_reported = false;  ///< it was shown before: results go on to name it, as hidden, until it is dropped
   double tried = 0;           ///< seconds with fits since it was last confirmed
   double confirmed = 0;       ///< seconds with fits that agreed with earlier ones, minus seconds with others
   bool is_examined = false;   ///< whether there was any evidence for `support`
@@ -46,7 +47,10 @@ struct Candidacy {
   }
 
   /// Decides whether it is shown: while its belief is *moving*, fits confirm it, and its pixels do not stand.
-  void decide(State state) { is_candidate = state != State::Moving || support < kMinSupport || !was_confirmed(); }
+  void decide(State state) {
+    is_candidate = state != State::Moving || support < kMinSupport || !was_confirmed();
+    was_reported = was_reported || !is_candidate;
+  }
 };
 
 DOT_END_NAMESPACE

@@ -79,7 +79,8 @@ class Discovery {
     current_.build(image.levels[level], depth.levels[level]);
     const Image<float>& q = current_.q;
     inconsistency_.clear(q.width(), q.height());
-    if (history_.empty()) return;
+    blind_ = !has_depth(q);
+    if (blind_ || history_.empty()) return;
     const Camera cells = camera.at_level(level_);
     read(known);
     compare(cells, noise, timestamp);
@@ -120,6 +121,10 @@ class Discovery {
     });
   }
 
+  /// Whether the frame of the last `find` has no depth, as every other one of a camera that is faster than its depth.
+  /// It says nothing, and is not kept.
+  bool is_blind() const { return blind_; }
+
   /// How sure it is, 0 to 1, that a mask's cells do not stand, by the share of them that contradict a static scene in
   /// this frame. The share that a region needs is enough to be sure.
   double certainty(const Mask& mask) const {
@@ -139,6 +144,7 @@ class Discovery {
   template <typename IsDiscovered>
   void remember(const Image<std::uint32_t>& ids, IsDiscovered&& is_discovered, double timestamp) {
     while (!history_.empty() && timestamp - history_.back().timestamp > reference_seconds + 1e-6) history_.pop_back();
+    if (blind_) return;
     thin_newest(history_, reference_seconds);
     Reference& r = history_.push_front();
     r.motion = {};
@@ -167,6 +173,13 @@ class Discovery {
     CellMotion motion;
     double timestamp = 0;
   };
+
+  static bool has_depth(const Image<float>& q) {
+    constexpr int kLeastShare = 100;  // a cell in so many
+    const float* cells = q.row(0);
+    const auto count = static_cast<std::ptrdiff_t>(q.width()) * q.height();
+    return std::count_if(cells, cells + count, [](float v) { return v > 0; }) * kLeastShare >= count;
+  }
 
   /// Compares with the newest reference, one in the middle, and the oldest.
   void compare(const Camera& cells, const Noise& noise, double timestamp) {
@@ -227,6 +240,7 @@ class Discovery {
   }
 
   int level_ = 0;
+  bool blind_ = false;
   CellFrame current_;
   RecyclingList<Reference> history_;  ///< newest first
   InconsistencyTest<Camera, Noise> test_;

@@ -18,6 +18,14 @@ struct FrameData {
   Pyramid pyramid;       ///< of the grey image
   DepthPyramid depth;    ///< 1/m, after `bias` was subtracted
   DepthBias bias;        ///< that was subtracted from `depth`
+  int repeats = 0;       ///< frames before it, without a gap, that have the same image
+
+  /// Whether the image is that of the frame before because a driver or a host repeated it. Such a frame says nothing
+  /// about motion. Where an image stays for longer, the camera stands and has no noise.
+  bool is_repeated() const {
+    constexpr int kLongestRun = 4;  // images that a driver repeats in a row
+    return repeats > 0 && repeats <= kLongestRun;
+  }
 
   /// Of full size, 1/m.
   const Image<float>& inverse_depth() const { return depth.levels[0]; }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -29,9 +31,10 @@ class FrameStore {
   };
 
   /// Builds a frame's pyramids. @param bias is subtracted from its inverse depth. @param noise of the depth.
+  /// @param previous the frame before, or null.
   template <typename Noise>
   FramePtr add(const Frame& input, const DepthBias& bias, const Noise& noise, const Settings& settings,
-               const kernel::Kernels& kernels, const Threads& threads) {
+               const kernel::Kernels& kernels, const Threads& threads, const FrameData* previous = nullptr) {
     FrameData& frame = unused();
     frame.id = input.id;
     frame.timestamp = input.timestamp;
@@ -48,6 +51,8 @@ class FrameStore {
         build_depth(UnbiasedDepthRows(input.depth, settings.max_depth, bias, depth_rows_, kernels), noise, width,
                     height, levels, kernels, frame.depth);
     });
+    frame.repeats =
+        previous && same(frame.pyramid.levels[0], previous->pyramid.levels[0]) ? previous->repeats + 1 : 0;
     return newest();
   }
 
@@ -56,6 +61,11 @@ class FrameStore {
 
  private:
   using Slot = std::shared_ptr<FrameData>;
+
+  static bool same(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b) {
+    const std::size_t size = static_cast<std::size_t>(a.width()) * static_cast<std::size_t>(a.height());
+    return a.width() == b.width() && a.height() == b.height() && std::memcmp(a.row(0), b.row(0), size) == 0;
+  }
 
   FramePtr newest() const { return frames_.back(); }
 

@@ -61,11 +61,10 @@ struct Mask {
   }
 };
 
-/// Fills `out` with the pixels of `box` (x, y, width, height) that `row` selects, cropped to them. row(v) returns a
-/// predicate for the pixels of the frame's row v, row(v)(u) -> bool. Both may be called repeatedly and must not read
-/// `out`.
+/// The box of the pixels in `box` (x, y, width, height) that `row` selects; its height is 0 if there are none.
+/// @param row (v) -> predicate for the pixels of the frame's row v, row(v)(u) -> bool.
 template <typename Row>
-void fill_mask_by_rows(const std::array<int, 4>& box, Row&& row, Mask& out) {
+std::array<int, 4> crop_by_rows(const std::array<int, 4>& box, Row&& row) {
   const int begin = box[0], end = box[0] + box[2];
   const auto has_any = [&](int v) {
     const auto set = row(v);
@@ -76,7 +75,7 @@ void fill_mask_by_rows(const std::array<int, 4>& box, Row&& row, Mask& out) {
   int top = box[1], bottom = box[1] + box[3];
   while (top < bottom && !has_any(top)) ++top;
   while (top < bottom && !has_any(bottom - 1)) --bottom;
-  if (top == bottom) return out.clear();
+  if (top == bottom) return {begin, top, 0, 0};
   int left = end, right = begin;
   for (int v = top; v < bottom; ++v) {
     const auto set = row(v);
@@ -86,9 +85,20 @@ void fill_mask_by_rows(const std::array<int, 4>& box, Row&& row, Mask& out) {
     for (u = end; u > right && !set(u - 1);) --u;
     right = u;
   }
+  return {left, top, right - left, bottom - top};
+}
+
+/// Fills `out` with the pixels of `box` (x, y, width, height) that `row` selects, cropped to them. row(v) returns a
+/// predicate for the pixels of the frame's row v, row(v)(u) -> bool. Both may be called repeatedly and must not read
+/// `out`.
+template <typename Row>
+void fill_mask_by_rows(const std::array<int, 4>& box, Row&& row, Mask& out) {
+  const auto [left, top, width, height] = crop_by_rows(box, row);
+  if (height == 0) return out.clear();
+  const int right = left + width, bottom = top + height;
   out.x = left;
   out.y = top;
-  out.pixels.resize(right - left, bottom - top);
+  out.pixels.resize(width, height);
   out.area = 0;
   for (int v = top; v < bottom; ++v) {
     const auto set = row(v);
@@ -142,6 +152,16 @@ inline void mask_of(const ImageRef& image, int x, int y, int frame_width, int fr
   fill_mask_by_rows(
       clip_box({x, y, image.width, image.height}, frame_width, frame_height),
       [&view, x, y](int v) { return [row = view.row(v - y), x](int u) { return row[u - x] != 0; }; }, out);
+}
+
+/// Pixels of the box that `mask_of` gives, which must be known before memory is taken for it. @pre Grey8 or Id8.
+inline double box_area_of(const ImageRef& image, int x, int y, int frame_width, int frame_height) {
+  const ImageView<const std::uint8_t> view{static_cast<const std::uint8_t*>(image.data), image.width, image.height,
+                                           image.stride};
+  const std::array<int, 4> box = crop_by_rows(
+      clip_box({x, y, image.width, image.height}, frame_width, frame_height),
+      [&view, x, y](int v) { return [row = view.row(v - y), x](int u) { return row[u - x] != 0; }; });
+  return static_cast<double>(box[2]) * box[3];
 }
 
 /// The runs of an id image, in the order of ids.

@@ -70,11 +70,19 @@ class Observations {
     };
     refuse_more(".ids", runs_.instances.size());
     refuse_more(".instances", masks.instances.size);
-    const double images = runs_.box_area / (1.0 * width * height);
+    const double image_area = 1.0 * width * height, images = runs_.box_area / image_area;
     if (images > kMostBoxes)
       bad_field(std::string(field) + ".ids", "has instances that are strewn over it: their boxes have " +
                                                  to_text(images) + " times its area, more than " + to_text(kMostBoxes) +
                                                  ": is it an image of something else?");
+    if (area_of_images(masks.instances) <= kMostBoxes * image_area) return;
+    double boxes = 0;
+    for (const Instance& instance : masks.instances)
+      if (instance.mask.data != nullptr) boxes += box_area_of(instance.mask, instance.x, instance.y, width, height);
+    if (boxes > kMostBoxes * image_area)
+      bad_field(std::string(field) + ".instances", "has masks that overlap too much: their boxes have " +
+                                                       to_text(boxes / image_area) +
+                                                       " times the image's area, more than " + to_text(kMostBoxes));
   }
 
   /// Adds the instances of a frame's segmentation, in whichever form it is given. Call `count` with the same masks
@@ -108,6 +116,12 @@ class Observations {
   }
 
  private:
+  static double area_of_images(const Span<Instance>& instances) {
+    double area = 0;
+    for (const Instance& instance : instances) area += 1.0 * instance.mask.width * instance.mask.height;
+    return area;
+  }
+
   static constexpr double kMostBoxes = 32;  ///< largest total area of all boxes, in image areas
 
   IdRuns runs_;

@@ -21,7 +21,8 @@ enum class Reason : std::uint8_t {
   TooFewInliers,     ///< too few points agree with the fitted line between intensities
   DepthDisagrees,    ///< the motion found contradicts the measured depth
   Implausible,       ///< the motion found is faster than Options::object.max_speed
-  Hidden,            ///< it is neither predicted to be visible nor shown by a mask in this frame
+  Hidden,            ///< it is neither predicted to be visible nor shown by a mask in this frame; or it was discovered,
+                     ///< and is not confirmed to move any more
   CameraLost,        ///< no camera motion, hence no object motion
   Lost,              ///< not seen for longer than Options::mask.keep_seconds: dropped after this frame
   TooManyObjects     ///< not among the Options::object.max_fitted largest: predicted at its last velocity

@@ -22,6 +22,7 @@ struct OutlineWorkspace {
   Mask mask;                ///< of a shape whose depth is made
   HiddenPart hidden_part;   ///< of the mask that is taken
   TemplateWorkspace shape;  ///< of `make_template`
+  MaskTemplate found;       ///< of `find_depth`
 };
 
 /// An object's outline over time: its last observed mask, and where that is now. `now` is the newest frame that the
@@ -91,6 +92,22 @@ struct TrackedOutline {
     shape_frame.reset();
     if (!make_template(observed, frame->inverse_depth().view(), settings.depth_tolerance, workspace.shape, shape))
       make_flat_template(observed, q, shape);
+  }
+
+  /// Gives a shape that was taken in a frame without depth that of the current frame, at its place there. Otherwise an
+  /// object whose masks all come with such frames would have none.
+  void find_depth(const Image<float>& inverse_depth, const MaskSettings& settings, OutlineWorkspace& workspace) {
+    constexpr int kLeastShare = 4;  // one pixel in so many must be measured: the few of a ragged border are not its own
+    if (shape_frame || shape.measured || is_coarse || warped.mask.empty()) return;
+    int measured = 0;
+    for (int y = 0; y < warped.mask.height(); ++y)
+      for (int x = 0; x < warped.mask.width(); ++x)
+        measured += warped.mask.pixels(x, y) != 0 && inverse_depth(warped.mask.x + x, warped.mask.y + y) > 0;
+    if (measured * kLeastShare < warped.mask.area) return;
+    if (!make_template(warped.mask, inverse_depth.view(), settings.depth_tolerance, workspace.shape, workspace.found))
+      return;
+    std::swap(shape, workspace.found);
+    T_now_shape = T_frame_shape = {};
   }
 
   /// Gives the shape its depth, if that was put off.

@@ -88,6 +88,9 @@ struct Track {
   /// Whether labels and results show it with its pixels.
   bool is_shown() const { return outline.visible && !lost && !candidacy.is_candidate; }
 
+  /// Whether results name it. Of a discovered object that is a candidate again they say that it is hidden.
+  bool is_reported() const { return !candidacy.is_candidate || candidacy.was_reported; }
+
   /// Whether no part of it is visible, but a part that an earlier mask showed may come out.
   bool may_come_out() const {
     return !outline.visible && !outline.hidden_part.mask.empty() && !lost && !candidacy.is_candidate &&

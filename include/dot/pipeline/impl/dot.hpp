@@ -59,7 +59,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   previous_ = std::move(current_);
   current_ = frames_.add(frame, camera_tracker_.depth_bias(), depth_noise,
                          {std::min(options_.align.max_levels, PointSet::kMaxLevels), options_.selection.max_depth},
-                         kernels(), threads);
+                         kernels(), threads, seconds > 0 ? previous_.get() : nullptr);
   const FrameData& cur = *current_;
   ends(Stage::Image);
 

@@ -54,11 +54,11 @@ inline ObjectResult result_of(const Track& t) {
   copy(belief.velocity_now, out.fused_velocity);
   copy(belief.velocity_covariance, out.fused_covariance);
   const ObjectFit& fit = t.motion.step.fit;
-  out.reason = fit.reason;
+  out.reason = t.candidacy.is_candidate && !t.lost ? Reason::Hidden : fit.reason;
   out.phi = fit.phi;
   out.n_points = fit.n_points;
   out.n_inliers = fit.n_inliers;
-  if (!fit.ok()) return out;
+  if (out.reason != Reason::None) return out;
   out.T_o = fit.T_o.row_major();
   copy(fit.sigma, out.covariance);
   copy(fit.motion.velocity, out.velocity);
@@ -97,7 +97,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame, c
   result_.revised = {revised_.data(), revised_.size()};
   objects_.clear();
   for (const Track* t : tracks_.all())
-    if (!t->candidacy.is_candidate) objects_.push_back(writing::result_of(*t));
+    if (t->is_reported()) objects_.push_back(writing::result_of(*t));
   result_.labels = labeller_.labels().image().view();
   result_.ids = labeller_.ids().view();
   result_.objects = {objects_.data(), objects_.size()};

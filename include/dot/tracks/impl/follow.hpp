@@ -212,10 +212,11 @@ void Tracks<Camera, Classifier, Noise, Aligner>::decide(Track& t, const FrameDat
                                                         const Setup& setup) const {
   const ObjectStep& step = t.motion.step;
   const ObjectMotionEstimator& estimator = setup.estimator;
-  t.belief.check_velocity(step.fit, estimator.settings.max_acceleration, cur.timestamp, seconds);
-  if (t.identity.discovered) t.candidacy.confirm(step, t.belief, estimator.velocity, seconds);
+  const bool repeated = cur.is_repeated();
+  if (!repeated) t.belief.check_velocity(step.fit, estimator.settings.max_acceleration, cur.timestamp, seconds);
+  if (t.identity.discovered && !repeated) t.candidacy.confirm(step, t.belief, estimator.velocity, seconds);
   auto& memory = static_cast<ClassifiedTrack&>(t).memory;
-  t.belief.take(setup.classifier(memory, step.has_evidence ? &step.evidence : nullptr, R_cur_fit, dt));
+  t.belief.take(setup.classifier(memory, step.has_evidence && !repeated ? &step.evidence : nullptr, R_cur_fit, dt));
   if (t.identity.discovered) t.candidacy.decide(t.belief.state);
 }
 

@@ -41,6 +41,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::place(Track& t, const Interval&
     outline.is_newest = outline.visible = true;
   } else {
     if (segmented) outline.is_newest = false;
+    outline.find_depth(cur.inverse_depth(), setup.mask, worker.outline);
     outline.mask = outline.warped.mask;
     outline.visible = outline.mask.area >= setup.mask.min_pixels;
     // The last segmentation should have shown the object but did not. The network may have missed it, or it is gone and
@@ -65,7 +66,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::examine(Track& t, double second
                                                          const Discovery<Camera, Noise>& discovery, const Setup& setup,
                                                          Worker& worker) const {
   Mask& mask = t.observed ? t.observed->mask : t.outline.warped.mask;
-  if (!t.is_rejected_candidate() && !t.motion.references.empty() && !mask.empty()) {
+  if (!discovery.is_blind() && !t.is_rejected_candidate() && !t.motion.references.empty() && !mask.empty()) {
     MovingPart& part = worker.moving_part;
     discovery.compare(setup.camera, discovery.bounded(setup.noise), mask, t.motion.references, part);
     t.candidacy.examine(part.is_comparable() ? part.certainty() : discovery.certainty(mask), seconds);

@@ -224,6 +224,17 @@ dot_status dot_track(dot_tracker* tracker, const dot_frame* frame) noexcept {
   });
 }
 
+dot_status dot_label(dot_tracker* tracker, const dot_frame* frame) noexcept {
+  return guard(tracker, [&] {
+    tracker->result = &tracker->tracker.label(read_frame(frame, tracker->instances));
+    log_camera(*tracker, to_c(tracker->result->camera.status));
+  });
+}
+
+dot_status dot_prepare(dot_tracker* tracker) noexcept {
+  return guard(tracker, [&] { tracker->tracker.prepare(); });
+}
+
 dot_status dot_submit_masks(dot_tracker* tracker, uint64_t frame_id, const dot_masks* masks) noexcept {
   return guard(tracker,
                [&] { tracker->tracker.submit_masks(frame_id, read_masks(masks, "masks", tracker->instances)); });

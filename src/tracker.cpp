@@ -52,6 +52,8 @@ Tracker::Tracker(Tracker&&) noexcept = default;
 Tracker& Tracker::operator=(Tracker&&) noexcept = default;
 
 const Result& Tracker::track(const Frame& frame) { return impl_->pipeline.track(frame); }
+const Result& Tracker::label(const Frame& frame) { return impl_->pipeline.label(frame); }
+void Tracker::prepare() { impl_->pipeline.prepare(); }
 void Tracker::submit_masks(std::uint64_t frame_id, const Masks& masks) {
   impl_->pipeline.submit_masks(frame_id, masks);
 }

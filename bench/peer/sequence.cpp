@@ -77,12 +77,14 @@ void run(const std::vector<std::string>& folders, int passes) {
   std::printf("milliseconds a frame, median of %d passes, one thread, kernels: %s\n\n%-16s %7s", passes,
               dot::find_kernels()->name, "", "objects");
   for (std::size_t k = 0; k < kStages; ++k) std::printf(" %7s", dot::to_string(static_cast<dot::Stage>(k)));
-  std::printf(" %7s %7s %7s\n", "track", "peer", "ratio");
+  std::printf(" %7s %7s %7s %7s\n", "track", "peer", "ratio", "labels");
   for (const std::string& folder : folders) {
     const Times t = measure(folder, passes);
     std::printf("%-16s %7.1f", std::filesystem::path(folder).lexically_normal().filename().c_str(), t.objects);
     for (const auto& stage : t.stages) std::printf(" %7.3f", median(stage));
-    std::printf(" %7.3f %7.3f %7.3f\n", median(t.track), median(t.peer), median(t.track) / median(t.peer));
+    const double points = median(t.stages[static_cast<std::size_t>(dot::Stage::Points)]);
+    std::printf(" %7.3f %7.3f %7.3f %7.3f\n", median(t.track), median(t.peer), median(t.track) / median(t.peer),
+                (median(t.track) - points) / median(t.peer));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <opencv2/core.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,9 @@ std::string run_in_order(const Arguments& arguments, const std::optional<network
   std::deque<SequenceFrame> frames;  // the last one, and those before whose masks are on their way
   std::vector<double> network_ms;
   const int delay = arguments.mask_delay;
+  const std::string option = "--mask-delay " + std::to_string(delay) + ": ";
+  if (delay >= sequence.size() && delay > 0)
+    throw std::runtime_error(option + "no mask would arrive within " + std::to_string(sequence.size()) + " frames");
   for (int i = 0; i < sequence.size() && !stop; ++i) {
     frames.push_back(sequence.read(i));
     SequenceFrame& frame = frames.back();
@@ -56,8 +60,11 @@ std::string run_in_order(const Arguments& arguments, const std::optional<network
     if (delay > 0) now.masks.reset();
     const auto start = std::chrono::steady_clock::now();
     const dot::Result& result = tracker.track(now);
-    if (const dot::Frame then = frames.front().frame(); i >= delay && delay > 0 && then.masks)
-      tracker.submit_masks(then.id, *then.masks);
+    if (const dot::Frame then = frames.front().frame(); i >= delay && delay > 0 && then.masks) try {
+        tracker.submit_masks(then.id, *then.masks);
+      } catch (const std::invalid_argument& error) {
+        throw std::runtime_error(option + error.what());
+      }
     outputs.add(frame, result, milliseconds_since(start));
     if (i >= delay) frames.pop_front();
   }

@@ -28,11 +28,22 @@ class DOT_EXPORT Tracker {
   /// Takes over the state of another tracker, which may then only be destroyed or assigned to.
   Tracker& operator=(Tracker&&) noexcept;
 
-  /// Labels the objects of one frame. The result is valid until the next call on this tracker.
+  /// Labels the objects of one frame, and prepares for the next one. The result is valid until the next call on this
+  /// tracker.
   /// @throws std::invalid_argument naming the bad field of `frame`; the tracker is then unchanged.
   /// @throws std::bad_alloc if memory runs out. All frames and objects are then forgotten, as by `reset`; so they are
   /// after an exception of a host's pool.
   const Result& track(const Frame& frame);
+
+  /// `track` in two steps, for a host that waits for the labels: this one returns as soon as they are ready. The result
+  /// is valid until the next call but `prepare`, which sets its `too_little_depth`, `diagnosis` and time of
+  /// Stage::Points. @throws as `track`.
+  const Result& label(const Frame& frame);
+
+  /// Prepares for the next frame what `label` left: points of the new one. Without this call the next one does it. May
+  /// run in another thread while all other parts of the result are read. Does nothing if all is prepared.
+  /// @throws as `track`, but std::invalid_argument.
+  void prepare();
 
   /// Takes masks that arrive late, for an earlier frame that was given to `track` without masks. A network may take
   /// longer than a frame. The masks are moved to the present by all motions measured since, and appear in the next

@@ -86,6 +86,8 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "dot_set_log": (c_int32, [c_void_p, _LogFunction, c_void_p]),
     "dot_reset": (c_int32, [c_void_p]),
     "dot_track": (c_int32, [c_void_p, c_void_p]),
+    "dot_label": (c_int32, [c_void_p, c_void_p]),
+    "dot_prepare": (c_int32, [c_void_p]),
     "dot_submit_masks": (c_int32, [c_void_p, c_uint64, c_void_p]),
     "dot_object_count": (c_int32, [c_void_p, c_void_p]),
     "dot_get_object": (c_int32, [c_void_p, c_uint32, c_void_p]),

@@ -112,23 +112,21 @@ class Tracker:
         Arrays are read where they lie if their rows are packed, else copied; nobody may write to them during the call.
         Raises InvalidArgument, after which the tracker is as it was; Busy, Closed, OutOfMemory, InternalError.
         """
-        image_array, image_view = _arrays.image_view(image, self._shape, self._rgb)
-        depth_array, depth_view = _arrays.depth_view(depth, self._shape, self._units)
-        id = _frame_id(self._next_id if frame_id is None else frame_id)
-        frame = c.Frame(id=id, timestamp=number(timestamp, "timestamp"), image=ctypes.pointer(image_view),
-                        depth=ctypes.pointer(depth_view))
-        if masks is not None:
-            views = MaskViews(masks, self._shape)
-            frame.masks = ctypes.pointer(views.struct)
-        if camera_motion is not None:
-            frame.camera_motion = ctypes.pointer(_c_motion(camera_motion))
-        if camera_prior is not None:
-            prior = _arrays.transform(camera_prior, "camera_prior")
-            frame.camera_prior = prior.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+        return self._run(lib.dot_track, image, depth, masks, timestamp, frame_id, camera_motion, camera_prior)
+
+    def label(self, image: npt.ArrayLike, depth: npt.ArrayLike, masks: MasksLike | None = None, *, timestamp: float,
+              frame_id: int | None = None, camera_motion: CameraMotion | None = None,
+              camera_prior: npt.ArrayLike | None = None) -> Result:
+        """track in two steps: returns as soon as the labels are ready. prepare, or the next frame, does the rest.
+
+        Its camera.suspicion is not known yet, and stays NONE in this result.
+        """
+        return self._run(lib.dot_label, image, depth, masks, timestamp, frame_id, camera_motion, camera_prior)
+
+    def prepare(self) -> None:
+        """Prepares for the next frame what label left: points of the new one. Does nothing if all is prepared."""
         with _Use(self) as handle:
-            self._check(lib.dot_track(handle, ctypes.byref(frame)))
-            self._next_id = id + 1
-            return self._result(handle)
+            self._check(lib.dot_prepare(handle))
 
     def submit_masks(self, frame_id: int, masks: MasksLike) -> None:
         """Takes masks that arrive late, for an earlier frame that was tracked without; the next result shows them.
@@ -183,6 +181,27 @@ class Tracker:
 
     def __reduce__(self) -> NoReturn:
         raise TypeError("a Tracker cannot be copied or pickled")
+
+    def _run(self, call: abc.Callable[..., int], image: npt.ArrayLike, depth: npt.ArrayLike, masks: MasksLike | None,
+             timestamp: float, frame_id: int | None, camera_motion: CameraMotion | None,
+             camera_prior: npt.ArrayLike | None) -> Result:
+        image_array, image_view = _arrays.image_view(image, self._shape, self._rgb)
+        depth_array, depth_view = _arrays.depth_view(depth, self._shape, self._units)
+        id = _frame_id(self._next_id if frame_id is None else frame_id)
+        frame = c.Frame(id=id, timestamp=number(timestamp, "timestamp"), image=ctypes.pointer(image_view),
+                        depth=ctypes.pointer(depth_view))
+        if masks is not None:
+            views = MaskViews(masks, self._shape)
+            frame.masks = ctypes.pointer(views.struct)
+        if camera_motion is not None:
+            frame.camera_motion = ctypes.pointer(_c_motion(camera_motion))
+        if camera_prior is not None:
+            prior = _arrays.transform(camera_prior, "camera_prior")
+            frame.camera_prior = prior.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+        with _Use(self) as handle:
+            self._check(call(handle, ctypes.byref(frame)))
+            self._next_id = id + 1
+            return self._result(handle)
 
     def _result(self, handle: ctypes.c_void_p) -> Result:
         labels = np.empty(self._shape, np.uint8)

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <ostream>
+#include <vector>
 
 #include "dot/tracker.hpp"
 #include "support/exact_points.hpp"
@@ -134,7 +135,7 @@ TEST(CameraSearch, ImprovesWhatItFound) {
     const dot::AlignProblem<Pinhole> problem{points, now, camera};
     search.find(problem, 10, 10, aligner, workspace);
     const auto nearest = [&](int rounds) {
-      search.find_shifts(problem, 10, 10, {8, rounds, 350}, aligner, workspace);
+      search.find_shifts(problem, 10, 10, {8, 40, rounds, 350}, aligner, workspace);
       double pixels = std::numeric_limits<double>::infinity();
       for (const dot::AlignState& place : workspace.starts)
         pixels = std::min(pixels, pose_distance(points, camera, place.T, T_world_camera.inverse()));
@@ -144,6 +145,35 @@ TEST(CameraSearch, ImprovesWhatItFound) {
     improved += nearest(2);
   }
   EXPECT_LT(improved, 0.6 * found);
+}
+
+// What costs more than twice as much as the best place is not aligned.
+TEST(CameraSearch, DropsHopelessPlaces) {
+  Scene scene;
+  scene.bodies.push_back(yard(100));
+  const Rendering reference = scene.render(camera, SE3d{});
+  const Pyramid before = pyramid_of(reference);
+  const PointSet points = exact_points(
+      reference, camera, before, 4, [](int, int) { return true; }, 0.001f);
+  const SE3d T_world_camera{dot::so3::exp(Vector3<double>(0, 0.02, 0)), {0.1, 0, 0.5}};
+  const Pyramid now = pyramid_of(scene.render(camera, T_world_camera));
+  DirectAligner<> aligner;
+  dot::MinimaWorkspace workspace;
+  const dot::CameraSearch search{6, 0.12, before, {}};
+  const dot::AlignProblem<Pinhole> problem{points, now, camera};
+  search.find(problem, 10, 10, aligner, workspace);
+  const auto costs_of = [&](const dot::CameraSearch::Effort& effort) {
+    search.find_shifts(problem, 10, 10, effort, aligner, workspace);
+    std::vector<double> costs;
+    for (const dot::AlignState& place : workspace.starts)
+      costs.push_back(aligner.tukey_cost(problem, place, dot::CameraSearch::level_of(4), 10));
+    return costs;
+  };
+  const std::vector<double> few = costs_of({8, 2, 1, 350}), kept = costs_of(dot::CameraSearch::kThorough);
+  EXPECT_LE(few.size(), 2u);
+  EXPECT_GE(kept.size(), 1u);
+  // The costs of all points are not quite those of the part that decides.
+  EXPECT_LT(*std::max_element(kept.begin(), kept.end()), 2.5 * *std::min_element(kept.begin(), kept.end()));
 }
 
 // Places of an earlier search are no rotations of this one, even where hardly any rotation fits.

@@ -107,6 +107,8 @@ static void test_null_tracker(void) {
   dot_destroy(NULL);
   CHECK_INVALID(NULL, dot_reset(NULL), "tracker is NULL");
   CHECK_INVALID(NULL, dot_track(NULL, &s->frame), "tracker is NULL");
+  CHECK_INVALID(NULL, dot_label(NULL, &s->frame), "tracker is NULL");
+  CHECK_INVALID(NULL, dot_prepare(NULL), "tracker is NULL");
   CHECK_INVALID(NULL, dot_submit_masks(NULL, 0, &s->masks), "tracker is NULL");
   CHECK_INVALID(NULL, dot_object_count(NULL, &count), "tracker is NULL");
   CHECK_INVALID(NULL, dot_get_object(NULL, 0, &object), "tracker is NULL");

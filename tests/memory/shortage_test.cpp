@@ -130,7 +130,9 @@ class Life {
     frame.id = index;
     frame.timestamp = time_ += 0.1;
     frame.masks = with_masks ? film_.masks[index] : nullptr;
-    const bool done = check(dot_track(tracker_, &frame));
+    const bool in_two_steps = index % 3 == 2;
+    const bool done = in_two_steps ? check(dot_label(tracker_, &frame)) && check(dot_prepare(tracker_))
+                                   : check(dot_track(tracker_, &frame));
     std::uint32_t count = 0;
     const dot_status status = dot_object_count(tracker_, &count);
     if (status != (done ? DOT_OK : DOT_NO_RESULT)) check(status);

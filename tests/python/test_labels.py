@@ -5,6 +5,7 @@
 import os
 import subprocess
 
+import demo
 import numpy as np
 import pytest
 from conftest import SAMPLE, new_tracker, same, track
@@ -41,6 +42,19 @@ def test_same_again():
             assert np.array_equal(before.labels, again.labels)
             assert set(again.table["id"]).isdisjoint(first[-1].table["id"])
             np.testing.assert_array_equal(before.table["p_moving"], again.table["p_moving"])
+
+
+def test_in_two_steps():
+    """The host prepares, or the next frame does."""
+    with new_tracker() as whole, new_tracker() as steps:
+        for i in range(8):
+            grey, depth, ids = demo.draw(i)
+            result = steps.label(grey, depth, ids, timestamp=demo.SECONDS * i)
+            if i % 2:
+                steps.prepare()
+            assert same(result, track(whole, i))
+        steps.prepare()
+        steps.prepare()
 
 
 def test_options_arrive():

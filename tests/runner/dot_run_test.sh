@@ -167,6 +167,9 @@ rejects "threads beyond reason" 2 "--threads" "$seq" --out "$out" --threads 1000
 echo "threads = 100000" > "$seq/config"
 rejects "threads beyond reason in the settings" 1 "config:1: threads" "$seq" --out "$out" --config "$seq/config"
 rejects "unknown classifier" 2 "--classifier" "$seq" --out "$out" --classifier guess
+rejects "delay beyond the end" 1 "--mask-delay 3: no mask would arrive" "$seq" --out "$out" --mask-delay 3
+echo "mask.late_seconds = 0.05" > "$seq/config"
+rejects "delay beyond mask.late_seconds" 1 "--mask-delay 2: frame_id" "$seq" --out "$out" --config "$seq/config" --mask-delay 2
 rejects "negative delay" 2 "--mask-delay" "$seq" --out "$out" --mask-delay -1
 rejects "output into the sequence" 2 "--out" "$seq" --out "$seq/."
 [ ! -e "$seq/objects.csv" ] || fail "the sequence's folder was written to"

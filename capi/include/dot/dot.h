@@ -434,6 +434,14 @@ DOT_API dot_status dot_reset(dot_tracker* tracker) DOT_NOEXCEPT;
 /// Labels the objects of one frame. After DOT_INVALID_ARGUMENT the tracker and its last result are unchanged.
 DOT_API dot_status dot_track(dot_tracker* tracker, const dot_frame* frame) DOT_NOEXCEPT;
 
+/// dot_track in two steps, for a host that waits for the labels: this one returns as soon as they are ready. The rest
+/// is done by dot_prepare, or by the next dot_track, dot_label or dot_submit_masks.
+DOT_API dot_status dot_label(dot_tracker* tracker, const dot_frame* frame) DOT_NOEXCEPT;
+
+/// Prepares for the next frame what dot_label left: points of the new one. Then dot_get_camera also tells the
+/// suspicion. Label and id images may be read meanwhile, in another thread. Does nothing if all is prepared.
+DOT_API dot_status dot_prepare(dot_tracker* tracker) DOT_NOEXCEPT;
+
 /// Takes masks that arrive late, for an earlier frame that was tracked without masks. A network may take longer than a
 /// frame. The masks are moved to the present and appear in the next result. The last result does not change. Masks must
 /// come in the order of their frames, for frames after the last segmented one, and at most a second late (setting
@@ -460,7 +468,7 @@ DOT_API dot_status dot_revision_count(dot_tracker* tracker, uint32_t* count) DOT
 DOT_API dot_status dot_get_revision(dot_tracker* tracker, uint32_t index, dot_camera_revision* out) DOT_NOEXCEPT;
 
 /// View of the label image, DOT_FORMAT_LABEL8, of the frame's size. Its pixels belong to the tracker and are valid
-/// until its next dot_track, dot_reset or dot_destroy.
+/// until its next dot_track, dot_label, dot_reset or dot_destroy.
 DOT_API dot_status dot_label_image(dot_tracker* tracker, dot_image* out) DOT_NOEXCEPT;
 
 /// View of the track id of each pixel, DOT_FORMAT_ID32, 0 = background. Valid as long as the label image.

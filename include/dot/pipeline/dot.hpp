@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -59,11 +60,21 @@ class Dot {
   /// @throws std::invalid_argument naming the option that is out of range.
   explicit Dot(const Camera& camera, const Options& options = {});
 
-  /// Labels the objects of one frame. The result is valid until the next call.
+  /// Labels the objects of one frame, and prepares for the next one. The result is valid until the next call.
   /// @throws std::invalid_argument naming the bad field of `frame`; the state is then unchanged.
   /// @throws std::bad_alloc if memory runs out. All frames and objects are then forgotten, as by `reset`; so they are
   /// after an exception of a host's pool.
   const Result& track(const Frame& frame);
+
+  /// `track` in two steps, for a host that waits for the labels: this one returns as soon as they are ready. The result
+  /// is valid until the next call but `prepare`, which sets its `too_little_depth`, `diagnosis` and time of
+  /// Stage::Points. @throws as `track`.
+  const Result& label(const Frame& frame);
+
+  /// Prepares for the next frame what `label` left: points of the new one. Without this call the next one does it. May
+  /// run in another thread while all other parts of the result are read. Does nothing if all is prepared.
+  /// @throws as `track`, but std::invalid_argument.
+  void prepare();
 
   /// Takes masks that arrive late, for an earlier frame that was given to `track` without masks. A network may take
   /// longer than a frame. The masks are moved to the present by all motions measured since, and appear in the next
@@ -91,6 +102,7 @@ class Dot {
   void learn_and_predict(const Interval& interval);
   void forget_wrong_motions();
   void discover(const FrameData& cur, const CameraStep& camera_step);
+  void prepare_next(const CameraStep& camera_step, bool segmented);
   void remember(const CameraStep& camera_step);
   void write_result(const Frame& frame, const CameraStep& camera_step);
   template <typename Body>
@@ -127,6 +139,13 @@ class Dot {
   TracksT tracks_;
   Labeller<Camera, Noise> labeller_;
   LateMasks<Camera, Classifier, Noise, Aligner> late_masks_;
+
+  /// What `prepare` needs to know of the frame that was labelled last.
+  struct Labelled {
+    CameraStep camera;
+    bool segmented;
+  };
+  std::optional<Labelled> unprepared_;
 
   Watch watch_;
   std::vector<ObjectResult> objects_;

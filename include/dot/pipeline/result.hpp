@@ -99,14 +99,16 @@ constexpr const char* to_string(Stage stage) {
   return stage < Stage::Count ? names[static_cast<int>(stage)] : "?";
 }
 
-/// The result of `track`; its views are valid until the next call on the same tracker.
+/// The result of `track` or `label`; its views are valid until the next call on the same tracker but `prepare`.
 struct Result {
   std::uint64_t frame_id = 0;     ///< Frame::id
   double timestamp = 0;           ///< Frame::timestamp
   double interval = 0;            ///< seconds since the previous frame, 0 if there is no reference
-  bool too_little_depth = false;  ///< the frame has too few background points for a reference; older ones are kept
+  bool too_little_depth = false;  ///< the frame has too few background points for a reference; older ones are kept;
+                                  ///< false before `prepare`
   double disparity_bias_px = 0;   ///< for stereo: RMS over the image of the learnt bias that was subtracted
-  Diagnosis diagnosis;            ///< what may be wrong with the last frames' images, depth and times
+  Diagnosis diagnosis;            ///< what may be wrong with the last frames' images, depth and times; none before
+                                  ///< `prepare`
   CameraResult camera;            ///< the camera's part
   Span<CameraRevision> revised;  ///< earlier frames whose camera motion this frame proved to be wrong, the oldest first
   ImageView<const std::uint8_t> labels;  ///< State of each pixel

@@ -40,15 +40,32 @@ Dot<Camera, Classifier, Noise, Aligner>::Dot(const Camera& camera, const Options
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame) {
+  label(frame);
+  prepare();
+  return result_;
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+const Result& Dot<Camera, Classifier, Noise, Aligner>::label(const Frame& frame) {
   validate(frame, camera_.width(), camera_.height(), current_ != nullptr, current_ ? current_->timestamp : 0);
-  stopwatch_.start();
   if (frame.masks)
     observations_.count("frame.masks", *frame.masks, options_.mask.max_instances, camera_.width(), camera_.height());
+  prepare();
+  stopwatch_.start();
   reset_unless_done([&] { label_objects(frame); });
   return result_;
 }
 
-/// Algorithm 1 of the paper, and the preparation of the next frame.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::prepare() {
+  if (!unprepared_) return;
+  const Labelled labelled = *unprepared_;
+  unprepared_.reset();
+  stopwatch_.start();
+  reset_unless_done([&] { prepare_next(labelled.camera, labelled.segmented); });
+}
+
+/// Algorithm 1 of the paper.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) {
   const auto ends = [this](Stage stage) { result_.stage_ms[static_cast<std::size_t>(stage)] = stopwatch_.lap(); };
@@ -90,14 +107,19 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   // Masks warped by T_c T_o; new objects; labels.
   result_.small_instances = tracks_.place(interval, current_, segmented, observations_, discovery_, setup());
   labeller_.label(tracks_.far_to_near(), current_, camera_step, segmented, camera_, depth_noise, options_.mask);
-  ends(Stage::Label);
-
-  remember(camera_step);
-  const double step = previous_ ? cur.timestamp - previous_->timestamp : 0;
-  result_.diagnosis = watch_.look(cur, depth_noise, step, options_.max_gap, result_.too_little_depth);
-  ends(Stage::Points);
   write_result(frame, camera_step);
+  unprepared_ = {camera_step, segmented};
+  ends(Stage::Label);
+}
+
+/// Stores what the next frames are compared with, and looks for mistakes in the input.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::prepare_next(const CameraStep& camera_step, bool segmented) {
+  remember(camera_step);
+  const double step = previous_ ? current_->timestamp - previous_->timestamp : 0;
+  result_.diagnosis = watch_.look(*current_, depth_noise, step, options_.max_gap, result_.too_little_depth);
   late_masks_.await(current_, camera_step, segmented, options_.mask, tracks_.all());
+  result_.stage_ms[static_cast<std::size_t>(Stage::Points)] = stopwatch_.lap();
 }
 
 /// Learns the depth's noise from the background, and predicts the places of the objects, which does not need it.
@@ -176,6 +198,7 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_id, const Masks& masks) {
   validate("masks", masks, camera_.width(), camera_.height());
   observations_.count("masks", masks, options_.mask.max_instances, camera_.width(), camera_.height());
+  prepare();
   const auto then = late_masks_.frames().find(frame_id);
   if (then == late_masks_.frames().end())
     bad_field("frame_id", std::to_string(frame_id) + " is none of the frames since the last segmentation, up to " +
@@ -189,6 +212,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::reset() noexcept {
+  unprepared_.reset();
   current_.reset();
   previous_.reset();
   camera_tracker_.forget();

@@ -83,6 +83,9 @@ void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame, c
   result_.frame_id = frame.id;
   result_.timestamp = frame.timestamp;
   result_.interval = camera_step.seconds;
+  result_.too_little_depth = false;  // until `prepare`, as the two after it
+  result_.diagnosis = {};
+  result_.stage_ms[static_cast<std::size_t>(Stage::Points)] = 0;
   if constexpr (std::is_same_v<Noise, DepthNoise>)
     result_.disparity_bias_px = current_->bias.is_zero() ? 0 : current_->bias.rms() * depth_noise.focal_baseline;
   result_.camera = writing::result_of(camera_step);

@@ -37,7 +37,7 @@ class DOT_EXPORT Tracker {
 
   /// `track` in two steps, for a host that waits for the labels: this one returns as soon as they are ready. The result
   /// is valid until the next call but `prepare`, which sets its `too_little_depth`, `diagnosis` and time of
-  /// Stage::Points. @throws as `track`.
+  /// Stage::Points. If the next call prepares, these are never seen. @throws as `track`.
   const Result& label(const Frame& frame);
 
   /// Prepares for the next frame what `label` left: points of the new one. Without this call the next one does it. May

@@ -47,10 +47,7 @@ struct Candidacy {
   }
 
   /// Decides whether it is shown: while its belief is *moving*, fits confirm it, and its pixels do not stand.
-  void decide(State state) {
-    is_candidate = state != State::Moving || support < kMinSupport || !was_confirmed();
-    was_reported = was_reported || !is_candidate;
-  }
+  void decide(State state) { is_candidate = state != State::Moving || support < kMinSupport || !was_confirmed(); }
 };
 
 DOT_END_NAMESPACE

@@ -118,7 +118,8 @@ class Observations {
  private:
   static double area_of_images(const Span<Instance>& instances) {
     double area = 0;
-    for (const Instance& instance : instances) area += 1.0 * instance.mask.width * instance.mask.height;
+    for (const Instance& instance : instances)
+      if (instance.mask.data != nullptr) area += 1.0 * instance.mask.width * instance.mask.height;
     return area;
   }
 

@@ -98,7 +98,7 @@ struct TrackedOutline {
   /// object whose masks all come with such frames would have none.
   void find_depth(const Image<float>& inverse_depth, const MaskSettings& settings, OutlineWorkspace& workspace) {
     constexpr int kLeastShare = 4;  // one pixel in so many must be measured: the few of a ragged border are not its own
-    if (shape_frame || shape.measured || is_coarse || warped.mask.empty()) return;
+    if (shape_frame || shape.measured || coarse.level > 0 || is_coarse || warped.mask.empty()) return;
     int measured = 0;
     for (int y = 0; y < warped.mask.height(); ++y)
       for (int x = 0; x < warped.mask.width(); ++x)
@@ -108,6 +108,8 @@ struct TrackedOutline {
       return;
     std::swap(shape, workspace.found);
     T_now_shape = T_frame_shape = {};
+    is_newest = false;    // the shape is not of the segmented frame any more,
+    hidden_part.clear();  // and this part is relative to the old one
   }
 
   /// Gives the shape its depth, if that was put off.

@@ -111,6 +111,7 @@ void LateMasks<Camera, Classifier, Noise, Aligner>::renew_reference(Track& t, co
                                                                     double now, const Setup& setup,
                                                                     Worker& worker) const {
   if (!t.followed || !then.since_known) return;
+  if (then.frame->is_repeated() && !t.motion.references.empty()) return;  // as in Tracks::remember
   ObjectReference r;
   r.timestamp = then.timestamp();
   r.camera = then.since;

@@ -54,7 +54,11 @@ inline ObjectResult result_of(const Track& t) {
   copy(belief.velocity_now, out.fused_velocity);
   copy(belief.velocity_covariance, out.fused_covariance);
   const ObjectFit& fit = t.motion.step.fit;
-  out.reason = t.candidacy.is_candidate && !t.lost ? Reason::Hidden : fit.reason;
+  out.reason = fit.reason;
+  if (t.candidacy.is_candidate) {  // it was discovered, and is not confirmed any more
+    out.state = State::NotObservable;
+    if (!t.lost) out.reason = Reason::Hidden;
+  }
   out.phi = fit.phi;
   out.n_points = fit.n_points;
   out.n_inliers = fit.n_inliers;

@@ -41,7 +41,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::place(Track& t, const Interval&
     outline.is_newest = outline.visible = true;
   } else {
     if (segmented) outline.is_newest = false;
-    outline.find_depth(cur.inverse_depth(), setup.mask, worker.outline);
+    if (interval.camera.known()) outline.find_depth(cur.inverse_depth(), setup.mask, worker.outline);
     outline.mask = outline.warped.mask;
     outline.visible = outline.mask.area >= setup.mask.min_pixels;
     // The last segmentation should have shown the object but did not. The network may have missed it, or it is gone and
@@ -53,6 +53,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::place(Track& t, const Interval&
   if (!outline.visible && !t.may_come_out() && reason == Reason::None) reason = Reason::Hidden;
   const bool was_shown = !t.identity.discovered || t.candidacy.was_confirmed() || t.is_rejected_candidate();
   const double keep = was_shown ? setup.mask.keep_seconds : Candidacy::kSeconds;
+  t.candidacy.was_reported |= !t.candidacy.is_candidate;
   if (t.lost || cur.timestamp - outline.last_seen > keep) {
     t.lost = true;
     reason = Reason::Lost;
@@ -162,6 +163,8 @@ void Tracks<Camera, Classifier, Noise, Aligner>::remember(Track& t, const FrameD
     t.motion.forget_references(Reason::TooManyObjects);
     return;
   }
+  // The time of a repeated image is too late: as a reference it would make the next motion too fast.
+  if (cur.is_repeated() && !t.motion.references.empty()) return;
   tracker(setup, setup.noise).remember(cur, t.outline.visible ? &t.outline.mask : nullptr, worker.object, t.motion);
 }
 

@@ -51,8 +51,7 @@ class FrameStore {
         build_depth(UnbiasedDepthRows(input.depth, settings.max_depth, bias, depth_rows_, kernels), noise, width,
                     height, levels, kernels, frame.depth);
     });
-    frame.repeats =
-        previous && same(frame.pyramid.levels[0], previous->pyramid.levels[0]) ? previous->repeats + 1 : 0;
+    frame.repeats = previous && same(frame.pyramid.levels[0], previous->pyramid.levels[0]) ? previous->repeats + 1 : 0;
     return newest();
   }
 

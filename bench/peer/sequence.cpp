@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The whole pipeline over a recorded sequence, with the masks of every frame, and in turn one call of OpenCV's
-// RgbdOdometry for the same pair of frames; one thread. Means over the frames after the first.
+// RgbdOdometry for the same pair of frames; one thread. Means over the frames after the first. The last column is the
+// ratio of the time up to the labels (`label` without `prepare`).
 //
 //     bench_peer_sequence [--passes N] SEQUENCE...
 #include <array>

@@ -60,11 +60,13 @@ std::string run_in_order(const Arguments& arguments, const std::optional<network
     if (delay > 0) now.masks.reset();
     const auto start = std::chrono::steady_clock::now();
     const dot::Result& result = tracker.track(now);
-    if (const dot::Frame then = frames.front().frame(); i >= delay && delay > 0 && then.masks) try {
+    if (const dot::Frame then = frames.front().frame(); i >= delay && delay > 0 && then.masks) {
+      try {
         tracker.submit_masks(then.id, *then.masks);
       } catch (const std::invalid_argument& error) {
         throw std::runtime_error(option + error.what());
       }
+    }
     outputs.add(frame, result, milliseconds_since(start));
     if (i >= delay) frames.pop_front();
   }

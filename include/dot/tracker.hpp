@@ -47,8 +47,8 @@ class DOT_EXPORT Tracker {
 
   /// Takes masks that arrive late, for an earlier frame that was given to `track` without masks. A network may take
   /// longer than a frame. The masks are moved to the present by all motions measured since, and appear in the next
-  /// result. The last result does not change. Masks must come in the order of their frames, for frames after the last
-  /// segmented one, and at most Options::mask.late_seconds late.
+  /// result. The last result does not change, but for what `prepare` sets. Masks must come in the order of their
+  /// frames, for frames after the last segmented one, and at most Options::mask.late_seconds late.
   /// @param frame_id Frame::id; the newest, if several frames have it.
   /// @throws std::invalid_argument naming the bad field, or frame_id if it is none of these frames; the tracker is then
   /// unchanged.

@@ -117,28 +117,43 @@ INSTANTIATE_TEST_SUITE_P(Axes, LargeTurn,
                          testing::Values(Turn{{0, 6, 0}, 0}, Turn{{0, -7, 0}, 0.5}, Turn{{5, 0, 0}, 0.5},
                                          Turn{{-4, 5, 0}, 0.5}, Turn{{2, -5, 4}, 0.5}, Turn{{-3, 3, 0}, 0.5, 1000}));
 
-// A turn that was looked for alone is off by what a shift has moved the image, and the shift by that.
-TEST(CameraSearch, ImprovesWhatItFound) {
+/// The yard, its points as the camera sees them from the origin, and the search of its motion from there.
+struct SearchedYard {
   Scene scene;
-  scene.bodies.push_back(yard(100));
-  const Rendering reference = scene.render(camera, SE3d{});
-  const Pyramid before = pyramid_of(reference);
-  const PointSet points = exact_points(
-      reference, camera, before, 4, [](int, int) { return true; }, 0.001f);
-  double found = 0, improved = 0;
-  for (const double degrees : {3.0, -4.0, 5.0, -2.0, 1.0}) {
-    const SE3d T_world_camera{dot::so3::exp(Vector3<double>(0, degrees / 57.29577951, 0)), {0.3, 0, 2.3}};
-    const Pyramid now = pyramid_of(scene.render(camera, T_world_camera));
-    DirectAligner<> aligner;
-    dot::MinimaWorkspace workspace;
+  Pyramid before;
+  PointSet points;
+  DirectAligner<> aligner;
+  dot::MinimaWorkspace workspace;
+
+  SearchedYard() {
+    scene.bodies.push_back(yard(100));
+    const Rendering reference = scene.render(camera, SE3d{});
+    before = pyramid_of(reference);
+    points = exact_points(
+        reference, camera, before, 4, [](int, int) { return true; }, 0.001f);
+  }
+  Pyramid seen_from(const SE3d& T_world_camera) const { return pyramid_of(scene.render(camera, T_world_camera)); }
+  /// The starts of the search with some effort, in the view `now`.
+  const std::vector<dot::AlignState>& starts(const Pyramid& now, const dot::CameraSearch::Effort& effort) {
     const dot::CameraSearch search{6, 0.12, before, {}};
     const dot::AlignProblem<Pinhole> problem{points, now, camera};
     search.find(problem, 10, 10, aligner, workspace);
+    search.find_shifts(problem, 10, 10, effort, aligner, workspace);
+    return workspace.starts;
+  }
+};
+
+// A turn that was looked for alone is off by what a shift has moved the image, and the shift by that.
+TEST(CameraSearch, ImprovesWhatItFound) {
+  SearchedYard yard;
+  double found = 0, improved = 0;
+  for (const double degrees : {3.0, -4.0, 5.0, -2.0, 1.0}) {
+    const SE3d T_world_camera{dot::so3::exp(Vector3<double>(0, degrees / 57.29577951, 0)), {0.3, 0, 2.3}};
+    const Pyramid now = yard.seen_from(T_world_camera);
     const auto nearest = [&](int rounds) {
-      search.find_shifts(problem, 10, 10, {8, 40, rounds, 350}, aligner, workspace);
       double pixels = std::numeric_limits<double>::infinity();
-      for (const dot::AlignState& place : workspace.starts)
-        pixels = std::min(pixels, pose_distance(points, camera, place.T, T_world_camera.inverse()));
+      for (const dot::AlignState& place : yard.starts(now, {8, 40, rounds, 350}))
+        pixels = std::min(pixels, pose_distance(yard.points, camera, place.T, T_world_camera.inverse()));
       return pixels;
     };
     found += nearest(0);
@@ -149,31 +164,16 @@ TEST(CameraSearch, ImprovesWhatItFound) {
 
 // What costs more than twice as much as the best place is not aligned.
 TEST(CameraSearch, DropsHopelessPlaces) {
-  Scene scene;
-  scene.bodies.push_back(yard(100));
-  const Rendering reference = scene.render(camera, SE3d{});
-  const Pyramid before = pyramid_of(reference);
-  const PointSet points = exact_points(
-      reference, camera, before, 4, [](int, int) { return true; }, 0.001f);
-  const SE3d T_world_camera{dot::so3::exp(Vector3<double>(0, 0.02, 0)), {0.1, 0, 0.5}};
-  const Pyramid now = pyramid_of(scene.render(camera, T_world_camera));
-  DirectAligner<> aligner;
-  dot::MinimaWorkspace workspace;
-  const dot::CameraSearch search{6, 0.12, before, {}};
-  const dot::AlignProblem<Pinhole> problem{points, now, camera};
-  search.find(problem, 10, 10, aligner, workspace);
-  const auto costs_of = [&](const dot::CameraSearch::Effort& effort) {
-    search.find_shifts(problem, 10, 10, effort, aligner, workspace);
-    std::vector<double> costs;
-    for (const dot::AlignState& place : workspace.starts)
-      costs.push_back(aligner.tukey_cost(problem, place, dot::CameraSearch::level_of(4), 10));
-    return costs;
-  };
-  const std::vector<double> few = costs_of({8, 2, 1, 350}), kept = costs_of(dot::CameraSearch::kThorough);
-  EXPECT_LE(few.size(), 2u);
-  EXPECT_GE(kept.size(), 1u);
+  SearchedYard yard;
+  const Pyramid now = yard.seen_from({dot::so3::exp(Vector3<double>(0, 0.02, 0)), {0.1, 0, 0.5}});
+  std::vector<double> costs;
+  for (const dot::AlignState& place : yard.starts(now, dot::CameraSearch::kThorough))
+    costs.push_back(yard.aligner.tukey_cost(dot::AlignProblem<Pinhole>{yard.points, now, camera}, place,
+                                            dot::CameraSearch::level_of(4), 10));
+  ASSERT_FALSE(costs.empty());
   // The costs of all points are not quite those of the part that decides.
-  EXPECT_LT(*std::max_element(kept.begin(), kept.end()), 2.5 * *std::min_element(kept.begin(), kept.end()));
+  EXPECT_LT(*std::max_element(costs.begin(), costs.end()), 2.5 * *std::min_element(costs.begin(), costs.end()));
+  EXPECT_EQ(yard.starts(now, {8, 1, 1, 350}).size(), 1u);
 }
 
 // Places of an earlier search are no rotations of this one, even where hardly any rotation fits.

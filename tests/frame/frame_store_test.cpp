@@ -66,6 +66,25 @@ FramePtr add(FrameStore& store, Plain& plain) {
   return store.add(plain.frame, {}, kNoise, {3, 100}, dot::portable_kernels(), dot::Threads{});
 }
 
+TEST(FrameStore, CountsRepeatedImages) {
+  FrameStore store;
+  const auto after = [&store](const FramePtr& previous, std::uint8_t grey, double depth) {
+    Plain plain(grey);
+    plain.depth.assign(plain.depth.size(), static_cast<float>(depth));
+    return store.add(plain.frame, {}, kNoise, {3, 100}, dot::portable_kernels(), dot::Threads{}, previous.get());
+  };
+  FramePtr frame = after(nullptr, 7, 2);
+  EXPECT_EQ(frame->repeats, 0);
+  for (int i = 1; i <= dot::FrameData::kLongestRun + 1; ++i) {
+    frame = after(frame, 7, 2 + 0.1 * i);  // a depth of its own makes no other image
+    EXPECT_EQ(frame->repeats, i);
+    EXPECT_EQ(frame->is_repeated(), i <= dot::FrameData::kLongestRun);
+  }
+  frame = after(frame, 8, 2);
+  EXPECT_EQ(frame->repeats, 0);
+  EXPECT_FALSE(frame->is_repeated());
+}
+
 TEST(FrameStore, FillsInSparseDepth) {
   FrameStore store;
   Plain plain(1);

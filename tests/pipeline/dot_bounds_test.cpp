@@ -149,14 +149,16 @@ TEST(Bounds, MasksOfAListThatOverlapTooMuchAreRefused) {
   dot.track(wall.next());
   Image<std::uint8_t> all(Wall::kWidth, Wall::kHeight);
   all.fill(1);
-  std::vector<dot::Instance> list(33);
+  std::vector<dot::Instance> list(34);
+  list[0].mask.width = -1000000, list[0].mask.height = 480;  // its pixels are in the id image: the size says nothing
   for (std::size_t i = 0; i < list.size(); ++i) {
     list[i].id = static_cast<std::uint32_t>(i + 1);
+    if (i == 0) continue;
     list[i].mask = {all.row(0), Wall::kWidth, Wall::kHeight, Wall::kWidth, PixelFormat::Id8};
   }
   Frame frame = wall.next();
   const Frame with_ids = frame;
-  frame.masks = dot::Masks{{}, {list.data(), list.size()}};
+  frame.masks->instances = {list.data(), list.size()};
   const std::string message = refusal([&] { dot.track(frame); });
   EXPECT_EQ(message.rfind("frame.masks.instances: has masks that overlap too much", 0), 0u) << message;
   EXPECT_EQ(dot.track(with_ids).objects[0].reason, Reason::None);
@@ -166,6 +168,7 @@ TEST(Bounds, MasksOfAListThatOverlapTooMuchAreRefused) {
   small.fill(0);
   for (int y = 100; y < 140; ++y)
     for (int x = 100; x < 140; ++x) small(x, y) = 1;
+  list.erase(list.begin());
   for (dot::Instance& instance : list) instance.mask.data = small.row(0);
   frame = wall.next();
   frame.masks = dot::Masks{{}, {list.data(), list.size()}};

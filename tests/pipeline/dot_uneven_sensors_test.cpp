@@ -43,12 +43,14 @@ TEST_P(Repeated, ImagesAreNoEvidenceThatAMoverStands) {
   Film<> film = street();
   Tracker tracker(small_camera());
   Count count;
+  dot::Suspicion suspicion = dot::Suspicion::None;
   for (int i = 0; i < 16; ++i) {
     Frame frame = film.advance();
     for (int k = 0; k < times; ++k) {
       frame.id = static_cast<std::uint64_t>(times * i + k);
       frame.timestamp = film.epoch + film.interval * (i + 1.0 * k / times);
       const Result& result = tracker.track(frame);
+      suspicion = result.diagnosis.reason;
       if (i < 6) continue;
       count.add(result, film);
       const ObjectResult* car = object_on(result, film.truth().ids, mover);
@@ -56,6 +58,7 @@ TEST_P(Repeated, ImagesAreNoEvidenceThatAMoverStands) {
       EXPECT_NEAR(car->fused_velocity[0], 3, 0.2) << i;
     }
   }
+  EXPECT_EQ(suspicion, times > 1 ? dot::Suspicion::RepeatedImages : dot::Suspicion::None);
   EXPECT_EQ(count.mover_stands, 0) << "of " << count.frames;
   EXPECT_GE(count.mover_moves, 0.9 * count.frames);
   EXPECT_EQ(count.parked_moves, 0);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/film.hpp"
+#include "support/result_copy.hpp"
 #include "support/sample.hpp"
 
 namespace {
@@ -27,63 +28,18 @@ const Sample& sample() {
   return loaded;
 }
 
-/// All bytes that a result says, the clock's aside.
-struct Copy {
-  std::vector<std::uint8_t> labels;
-  std::vector<std::uint32_t> ids;
-  dot::CameraResult camera;
-  std::vector<ObjectResult> objects;
-
-  explicit Copy(const Result& r) : camera(r.camera), objects(r.objects.begin(), r.objects.end()) {
-    for (int y = 0; y < r.labels.height; ++y) {
-      labels.insert(labels.end(), r.labels.row(y), r.labels.row(y) + r.labels.width);
-      ids.insert(ids.end(), r.ids.row(y), r.ids.row(y) + r.ids.width);
-    }
-  }
-};
-
-void expect_same(const Copy& a, const Copy& b) {
-  EXPECT_TRUE(a.labels == b.labels);
-  EXPECT_TRUE(a.ids == b.ids);
-  EXPECT_EQ(a.camera.status, b.camera.status);
-  EXPECT_EQ(a.camera.T_cur_prev, b.camera.T_cur_prev);
-  EXPECT_EQ(a.camera.covariance, b.camera.covariance);
-  EXPECT_EQ(a.camera.gain, b.camera.gain);
-  EXPECT_EQ(a.camera.offset, b.camera.offset);
-  EXPECT_EQ(a.camera.phi, b.camera.phi);
-  EXPECT_EQ(a.camera.n_inliers, b.camera.n_inliers);
-  ASSERT_EQ(a.objects.size(), b.objects.size());
-  for (std::size_t k = 0; k < a.objects.size(); ++k) {
-    const ObjectResult &l = a.objects[k], &r = b.objects[k];
-    SCOPED_TRACE("track " + std::to_string(l.id));
-    EXPECT_EQ(l.id, r.id);
-    EXPECT_EQ(l.state, r.state);
-    EXPECT_EQ(l.reason, r.reason);
-    EXPECT_EQ(l.p_moving, r.p_moving);
-    EXPECT_EQ(l.T_o, r.T_o);
-    EXPECT_EQ(l.covariance, r.covariance);
-    EXPECT_EQ(l.velocity, r.velocity);
-    EXPECT_EQ(l.velocity_covariance, r.velocity_covariance);
-    EXPECT_EQ(l.fused_velocity, r.fused_velocity);
-    EXPECT_EQ(l.disparity_px, r.disparity_px);
-    EXPECT_EQ(l.entropy, r.entropy);
-    EXPECT_EQ(l.box, r.box);
-    EXPECT_EQ(l.area, r.area);
-  }
-}
-
 constexpr int frames = 8;
 bool has_masks(int i) { return i % 3 == 0; }
 
-std::vector<Copy> alone() {
+std::vector<ResultCopy> alone() {
   Tracker tracker(sample().camera, Sample::options());
-  std::vector<Copy> out;
+  std::vector<ResultCopy> out;
   for (int i = 0; i < frames; ++i) out.emplace_back(tracker.track(sample().frame(i, has_masks(i))));
   return out;
 }
 
 TEST(Tracker, SameInputGivesIdenticalOutput) {
-  const std::vector<Copy> first = alone(), again = alone();
+  const std::vector<ResultCopy> first = alone(), again = alone();
   EXPECT_GE(first.back().objects.size(), 3u);
   for (std::size_t i = 0; i < first.size(); ++i) {
     SCOPED_TRACE(i);
@@ -93,7 +49,7 @@ TEST(Tracker, SameInputGivesIdenticalOutput) {
 
 // Another tracker that runs the sequence backwards in between, on another camera, changes nothing.
 TEST(Tracker, InterleavedTrackersDoNotInfluenceEachOther) {
-  const std::vector<Copy> expected = alone();
+  const std::vector<ResultCopy> expected = alone();
   Film<> film;
   film.add(1, straight({0, 1.3, 6}, {1, 0, 0}));
   Tracker tracker(sample().camera, Sample::options()), backwards(sample().camera), synthetic(small_camera());
@@ -104,19 +60,20 @@ TEST(Tracker, InterleavedTrackersDoNotInfluenceEachOther) {
     backwards.track(other);
     const Result& result = tracker.track(sample().frame(i, has_masks(i)));
     film.next(synthetic);
-    expect_same(Copy(result), expected[static_cast<std::size_t>(i)]);  // valid until the next call on the same tracker
+    expect_same(ResultCopy(result),
+                expected[static_cast<std::size_t>(i)]);  // valid until the next call on the same tracker
   }
 }
 
 TEST(Tracker, ResetStartsAfreshWithOtherIds) {
-  const std::vector<Copy> expected = alone();
+  const std::vector<ResultCopy> expected = alone();
   Tracker tracker(sample().camera, Sample::options());
   for (int i = 5; i < 9; ++i) tracker.track(sample().frame(i));
-  const std::uint32_t used = Copy(tracker.track(sample().frame(9))).objects.back().id;
+  const std::uint32_t used = ResultCopy(tracker.track(sample().frame(9))).objects.back().id;
   tracker.reset();
   for (int i = 0; i < frames; ++i) {
     SCOPED_TRACE(i);
-    Copy got(tracker.track(sample().frame(i, has_masks(i))));
+    ResultCopy got(tracker.track(sample().frame(i, has_masks(i))));
     // The same as a new tracker's, with ids that go on.
     ASSERT_FALSE(got.objects.empty());
     const std::uint32_t shift = got.objects.front().id - expected[static_cast<std::size_t>(i)].objects.front().id;
@@ -128,17 +85,17 @@ TEST(Tracker, ResetStartsAfreshWithOtherIds) {
 }
 
 TEST(Tracker, IsMovable) {
-  const std::vector<Copy> expected = alone();
+  const std::vector<ResultCopy> expected = alone();
   Tracker first(sample().camera, Sample::options());
   for (int i = 0; i < 3; ++i) first.track(sample().frame(i, has_masks(i)));
   Tracker moved(std::move(first));
-  expect_same(Copy(moved.track(sample().frame(3, has_masks(3)))), expected[3]);
+  expect_same(ResultCopy(moved.track(sample().frame(3, has_masks(3)))), expected[3]);
   Tracker assigned(small_camera());
   assigned = std::move(moved);
-  expect_same(Copy(assigned.track(sample().frame(4, has_masks(4)))), expected[4]);
+  expect_same(ResultCopy(assigned.track(sample().frame(4, has_masks(4)))), expected[4]);
   std::vector<Tracker> many;
   many.push_back(std::move(assigned));
-  expect_same(Copy(many.back().track(sample().frame(5, has_masks(5)))), expected[5]);
+  expect_same(ResultCopy(many.back().track(sample().frame(5, has_masks(5)))), expected[5]);
 }
 
 TEST(Tracker, KeepsItsOptions) {

@@ -74,10 +74,6 @@ class DepthStep {
   int measured() const { return measured_; }
   /// Mean inverse depth of these, 1/m.
   double mean_inverse_depth() const { return measured_ > 0 ? inverse_sum_ / measured_ : 0; }
-  /// Whether the last two frames have the same image.
-  bool repeated() const {
-    return count_ > 1 && frames_[newest_].rows == frames_[(newest_ + kFrames - 1) % kFrames].rows;
-  }
 
  private:
   static constexpr std::size_t kFrames = kMaxLag + 1;

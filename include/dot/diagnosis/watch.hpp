@@ -25,14 +25,12 @@ class Watch {
     const double sigma = step_.measured() > 0 ? noise.prior_pixel_sigma(step_.mean_inverse_depth()) : 0;
     step_.add(frame.pyramid.levels[level], frame.depth.levels[level], static_cast<float>(kNoiseOfEnds * sigma));
     gaps_.add(!first && (seconds > max_gap || seconds < kShortestStep));
-    // A driver repeats an image a few times. Where it stays for longer, the camera stands and has no noise.
-    if (step_.repeated()) {
-      run_ = std::min(run_ + 1, kLongestRun + 1);
-    } else {
-      for (; run_ > 0 && run_ <= kLongestRun; --run_) repeats_.add(true);
-      run_ = 0;
+    // Whether a driver has repeated an image is known when another one comes.
+    if (frame.repeats == 0) {
+      for (; run_ > 0 && run_ <= FrameData::kLongestRun; --run_) repeats_.add(true);
       repeats_.add(false);
     }
+    run_ = frame.repeats;
     few_points_.add(too_few_points);
     const double measured =
         step_.pixels() > 0 ? static_cast<double>(step_.measured()) / static_cast<double>(step_.pixels()) : 1;
@@ -82,14 +80,13 @@ class Watch {
   static constexpr double kNoiseOfEnds = 8;      ///< sigmas of the depth: smaller steps are no ends of things
   static constexpr double kShortestStep = 5e-4;  ///< seconds
   static constexpr double kRepeats = 0.12;       ///< share of repeated images that disturbs
-  static constexpr int kLongestRun = 4;          ///< images that a driver repeats in a row
   static constexpr double kLittleDepth = 0.05;   ///< share of the pixels
   static constexpr double kFarthest = 150, kNearest = 0.1;  ///< metres, harmonic mean
 
   DepthStep step_;
   Share gaps_, repeats_, few_points_, no_depth_;
   double little_depth_ = 0;  ///< share of the pixels with depth in the last frame that had too little
-  int run_ = 0;              ///< repeated images, up to the newest
+  int run_ = 0;              ///< FrameData::repeats of the newest frame
 };
 
 DOT_END_NAMESPACE

@@ -175,10 +175,9 @@ class Discovery {
   };
 
   static bool has_depth(const Image<float>& q) {
-    constexpr int kLeastShare = 100;  // a cell in so many
     const float* cells = q.row(0);
-    const auto count = static_cast<std::ptrdiff_t>(q.width()) * q.height();
-    return std::count_if(cells, cells + count, [](float v) { return v > 0; }) * kLeastShare >= count;
+    return std::any_of(cells, cells + static_cast<std::ptrdiff_t>(q.width()) * q.height(),
+                       [](float v) { return v > 0; });
   }
 
   /// Compares with the newest reference, one in the middle, and the oldest.

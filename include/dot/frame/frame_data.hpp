@@ -22,10 +22,9 @@ struct FrameData {
 
   /// Whether the image is that of the frame before because a driver or a host repeated it. Such a frame says nothing
   /// about motion. Where an image stays for longer, the camera stands and has no noise.
-  bool is_repeated() const {
-    constexpr int kLongestRun = 4;  // images that a driver repeats in a row
-    return repeats > 0 && repeats <= kLongestRun;
-  }
+  bool is_repeated() const { return repeats > 0 && repeats <= kLongestRun; }
+
+  static constexpr int kLongestRun = 4;  ///< images that a driver repeats in a row
 
   /// Of full size, 1/m.
   const Image<float>& inverse_depth() const { return depth.levels[0]; }

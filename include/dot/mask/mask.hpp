@@ -140,6 +140,14 @@ void crop_ids(ImageView<const T> ids, std::uint32_t id, const std::array<int, 4>
       [&ids, id](int v) { return [row = ids.row(v), id](int u) { return row[u] == id; }; }, out);
 }
 
+/// The pixels of a separate image whose top left corner is at (x, y) of the frame: row(v)(u) of the frame -> whether
+/// the image is not zero there. It borrows the pixels.
+inline auto rows_at(const ImageRef& image, int x, int y) {
+  const ImageView<const std::uint8_t> view{static_cast<const std::uint8_t*>(image.data), image.width, image.height,
+                                           image.stride};
+  return [view, x, y](int v) { return [row = view.row(v - y), x](int u) { return row[u - x] != 0; }; };
+}
+
 /// Fills `out` with the pixels of a separate image (Grey8 or Id8, non-zero = object) whose top left corner is at (x, y)
 /// of the frame, clipped to the frame.
 /// @throws std::invalid_argument for another format.
@@ -147,20 +155,13 @@ inline void mask_of(const ImageRef& image, int x, int y, int frame_width, int fr
   if (image.empty()) return out.clear();
   if (image.format != PixelFormat::Grey8 && image.format != PixelFormat::Id8)
     throw std::invalid_argument("instance.mask.format must be Grey8 or Id8");
-  const ImageView<const std::uint8_t> view{static_cast<const std::uint8_t*>(image.data), image.width, image.height,
-                                           image.stride};
-  fill_mask_by_rows(
-      clip_box({x, y, image.width, image.height}, frame_width, frame_height),
-      [&view, x, y](int v) { return [row = view.row(v - y), x](int u) { return row[u - x] != 0; }; }, out);
+  fill_mask_by_rows(clip_box({x, y, image.width, image.height}, frame_width, frame_height), rows_at(image, x, y), out);
 }
 
 /// Pixels of the box that `mask_of` gives, which must be known before memory is taken for it. @pre Grey8 or Id8.
 inline double box_area_of(const ImageRef& image, int x, int y, int frame_width, int frame_height) {
-  const ImageView<const std::uint8_t> view{static_cast<const std::uint8_t*>(image.data), image.width, image.height,
-                                           image.stride};
-  const std::array<int, 4> box = crop_by_rows(
-      clip_box({x, y, image.width, image.height}, frame_width, frame_height),
-      [&view, x, y](int v) { return [row = view.row(v - y), x](int u) { return row[u - x] != 0; }; });
+  const std::array<int, 4> box =
+      crop_by_rows(clip_box({x, y, image.width, image.height}, frame_width, frame_height), rows_at(image, x, y));
   return static_cast<double>(box[2]) * box[3];
 }
 

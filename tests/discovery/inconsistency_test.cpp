@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
+
 #include "dot/camera/depth_noise.hpp"
 #include "dot/camera/pinhole.hpp"
+#include "support/random.hpp"
 
 namespace {
 
@@ -55,6 +59,9 @@ struct Case {
   void compare(const CellFrame& current, const CellFrame& reference) {
     test(camera, noise(), current, reference, reference.q, motion, out);
   }
+  float photo(const CellFrame& current, const CellFrame& reference, int x, int y) const {
+    return test.photo(camera, noise(), current, reference, motion, test.intensity_scale, x, y);
+  }
   int seeds(int x0, int x1) const {
     int count = 0;
     for (int y = 10; y < 30; ++y)
@@ -65,11 +72,12 @@ struct Case {
 
 TEST(Inconsistency, NothingWhereNothingMoves) {
   Case c;
-  c.compare(scene(20, 40), scene(20, 40));
+  const CellFrame frame = scene(20, 40);
+  c.compare(frame, frame);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       EXPECT_LT(c.out.depth(x, y), 1) << x << ' ' << y;
-      EXPECT_LT(c.out.photo(x, y), 1) << x << ' ' << y;
+      EXPECT_LT(c.photo(frame, frame, x, y), 1) << x << ' ' << y;
     }
 }
 
@@ -149,8 +157,42 @@ TEST(Inconsistency, IntensityAfterGainAndOffset) {
   c.motion.gain = 0.8;
   c.motion.offset = 5;
   c.compare(now, before);
-  EXPECT_GT(c.out.photo(25, 20), 10);
-  EXPECT_LT(c.out.photo(45, 20), 1);
+  EXPECT_GT(c.photo(now, before, 25, 20), 10);
+  EXPECT_LT(c.photo(now, before, 45, 20), 1);
+}
+
+// The scale is that of most cells where the depth agrees, at the gain and offset of the motion.
+TEST(Inconsistency, ScaleOfTheResidualsIsThatOfTheNoise) {
+  dot::test::Random random(1);
+  CellFrame now = scene(0, 0);
+  const CellFrame before = scene(20, 40);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) now.grey(x, y) = static_cast<std::uint8_t>(std::lround(100 + 6 * random.normal()));
+  Case c;
+  c.compare(now, before);
+  EXPECT_NEAR(c.test.intensity_scale, 6, 0.8) << "within three standard deviations of such a sample's";
+  c.motion.offset = 20;
+  c.compare(now, before);
+  EXPECT_GT(c.test.intensity_scale, 20);
+  c.motion.offset = 0;
+  CellFrame elsewhere = scene(0, 0);
+  elsewhere.q.fill(6 * wall);
+  c.compare(elsewhere, before);
+  EXPECT_EQ(c.test.intensity_scale, 10) << "the depth agrees nowhere";
+}
+
+// Neither a place that the reference does not show, nor one that is hidden there, nor the border.
+TEST(Inconsistency, IntensityOfWhatTheReferenceDoesNotShowSaysNothing) {
+  CellFrame now = scene(0, 0), before = scene(20, 40, 0.2f);
+  for (const int x : {0, 30, 50, width - 1}) now.grey(x, 20) = 200;
+  Case c;
+  c.compare(now, before);
+  EXPECT_GT(c.photo(now, before, 50, 20), 10);
+  EXPECT_EQ(c.photo(now, before, 30, 20), 0) << "behind the box";
+  EXPECT_EQ(c.photo(now, before, 0, 20), 0);
+  EXPECT_EQ(c.photo(now, before, width - 1, 20), 0);
+  now.q(50, 20) = 0;
+  EXPECT_EQ(c.photo(now, before, 50, 20), 0) << "no depth";
 }
 
 TEST(Inconsistency, NoMeasurementSaysNothing) {

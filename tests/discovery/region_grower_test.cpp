@@ -18,11 +18,13 @@ struct Case {
   Image<float> q{width, height};
   Image<std::uint8_t> followed{width, height};
   Inconsistency evidence;
+  Image<std::uint8_t> photo{width, height};  ///< non-zero: contradicts by its grey value
   RegionGrower grower;
 
   Case() {
     q.fill(wall);
     followed.fill(0);
+    photo.fill(0);
     evidence.clear(width, height);
     for (int y = 10; y < 30; ++y)
       for (int x = 20; x < 50; ++x) q(x, y) = thing;
@@ -34,7 +36,8 @@ struct Case {
   }
   const std::vector<std::vector<int>>& grow() {
     grower(
-        q, evidence, followed, [](float) { return 0.0005f; }, [](int, int y) { return y < 36; });
+        q, evidence, followed, [](float) { return 0.0005f; }, [](int, int y) { return y < 36; },
+        [this](int x, int y) { return evidence.depth(x, y) > RegionGrower::kSeed || photo(x, y); });
     return grower.regions;
   }
 };
@@ -68,7 +71,7 @@ TEST(RegionGrower, FewSeedsAreNoise) {
 
 TEST(RegionGrower, IntensityAloneGivesNoSeeds) {
   Case c;
-  c.set(c.evidence.photo, 20, 50, 20.f);
+  c.set<std::uint8_t>(c.photo, 20, 50, 1);
   EXPECT_TRUE(c.grow().empty());
 }
 

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "support/random.hpp"
@@ -49,6 +52,41 @@ TEST(Spread, IsThreeQuantilesAndLeavesTheLowerHalfFirst) {
     EXPECT_TRUE(std::all_of(v.begin(), middle, [&](float q) { return q <= s.middle; })) << n;
     EXPECT_TRUE(std::all_of(middle, v.end(), [&](float q) { return q >= s.middle; })) << n;
   }
+}
+
+/// Values of one kind: 0 all different, 1 a few, often repeated, 2 all equal, 3 rising, 4 falling, 5 of which the
+/// sample for a pivot takes only the largest.
+std::vector<float> values_of(int kind, int n, unsigned seed) {
+  std::vector<float> v = shuffled(n, seed);
+  for (int i = 0; i < n; ++i) {
+    float& each = v[static_cast<std::size_t>(i)];
+    if (kind == 1) each = std::floor(5 * each);
+    if (kind == 2) each = 3;
+    if (kind == 5 && i % std::max(1, n / 15) == 0) each += 10;
+  }
+  if (kind == 3) std::sort(v.begin(), v.end());
+  if (kind == 4) std::sort(v.begin(), v.end(), std::greater<>());
+  return v;
+}
+
+TEST(SortNth, GivesTheNthOfAllAndSplitsTheOthers) {
+  for (const int n : {1, 2, 64, 65, 100, 333, 2000})
+    for (int kind = 0; kind < 6; ++kind) {
+      const std::vector<float> values = values_of(kind, n, 4);
+      std::vector<float> sorted = values;
+      std::sort(sorted.begin(), sorted.end());
+      for (const double share : {0.0, 0.01, 0.2, 0.5, 0.6, 0.95, 1.0}) {
+        std::vector<float> v = values;
+        const auto nth = v.begin() + static_cast<std::ptrdiff_t>(share * (n - 1));
+        dot::sort_nth(v.begin(), nth, v.end());
+        const float found = *nth;
+        EXPECT_EQ(found, sorted[static_cast<std::size_t>(nth - v.begin())]) << n << " " << kind << " " << share;
+        EXPECT_TRUE(std::all_of(v.begin(), nth, [&](float q) { return q <= found; })) << n << " " << kind;
+        EXPECT_TRUE(std::all_of(nth, v.end(), [&](float q) { return q >= found; })) << n << " " << kind;
+        std::sort(v.begin(), v.end());
+        EXPECT_EQ(v, sorted) << "values were lost";
+      }
+    }
 }
 
 TEST(SigmaOfMedian, IsThatOfANormal) {

@@ -33,7 +33,7 @@ class Discovery {
   static constexpr std::uint8_t kNothing = 0;  ///< background
   static constexpr std::uint8_t kStanding =
       254;  ///< an object that was found before and is static, or was not confirmed
-  static constexpr std::uint8_t kCovered = 255;  ///< a mask of the network
+  static constexpr std::uint8_t kCovered = 255;  ///< a mask of the network; the largest value
 
   double reference_seconds = 0.4;  ///< age of the oldest frame that the new one is compared with
   std::vector<Mask> masks;         ///< of the regions of this frame
@@ -88,9 +88,10 @@ class Discovery {
     const auto sigma = [&](float value) { return noise.pixel_sigma(value); };
     planes_.find(q, cells.intrinsics(), sigma,
                  [&](int x, int y) { return !covered_(x, y) && inconsistency_.depth(x, y) < RegionGrower::kSeed; });
-    grower_(q, inconsistency_, followed_, sigma, [&](int x, int y) {
+    const auto open = [&](int x, int y) {
       return !covered_(x, y) && !planes_.hold(x, y, q(x, y), static_cast<float>(noise.pixel_sigma(q(x, y))));
-    });
+    };
+    grower_(q, inconsistency_, followed_, sigma, open, [&](int x, int y) { return contradicts(cells, noise, x, y); });
     for (const std::vector<int>& region : grower_.regions) {
       if (!lasts(region)) continue;
       masks.emplace_back();
@@ -115,10 +116,7 @@ class Discovery {
         comparison(references[i].T_obj_now_ref, out.evidence);
         ++compared;
       }
-    out.find([&](int x, int y) {
-      const Image<float>& depth = inconsistency_.depth;
-      return depth.contains(x, y) && RegionGrower::contradicts(inconsistency_, y * depth.width() + x);
-    });
+    out.find([&](int x, int y) { return inconsistency_.depth.contains(x, y) && contradicts(cells, noise, x, y); });
   }
 
   /// Whether the frame of the last `find` has no depth, as every other one of a camera that is faster than its depth.
@@ -127,14 +125,15 @@ class Discovery {
 
   /// How sure it is, 0 to 1, that a mask's cells do not stand, by the share of them that contradict a static scene in
   /// this frame. The share that a region needs is enough to be sure.
-  double certainty(const Mask& mask) const {
+  double certainty(const Camera& camera, const Noise& noise, const Mask& mask) const {
+    const Camera cells = camera.at_level(level_);
     const int cell = 1 << level_, half = cell / 2;
     int count = 0, contradicting = 0;
     for (int y = mask.y / cell; y * cell + half < mask.y + mask.height(); ++y)
       for (int x = mask.x / cell; x * cell + half < mask.x + mask.width(); ++x) {
         if (!mask.at(x * cell + half, y * cell + half) || !inconsistency_.depth.contains(x, y)) continue;
         ++count;
-        contradicting += RegionGrower::contradicts(inconsistency_, y * inconsistency_.depth.width() + x);
+        contradicting += contradicts(cells, noise, x, y);
       }
     return count > 0 ? std::min(1.0, contradicting / (RegionGrower::kMinShare * count)) : 0;
   }
@@ -172,6 +171,7 @@ class Discovery {
     Image<float> discovered;  ///< inverse depth where a discovered track explains it, 0 elsewhere
     CellMotion motion;
     double timestamp = 0;
+    float intensity_scale = 0;  ///< grey values: of the residuals; 0 if the new frame was not compared with it
   };
 
   static bool has_depth(const Image<float>& q) {
@@ -183,7 +183,10 @@ class Discovery {
   /// Compares with the newest reference, one in the middle, and the oldest.
   void compare(const Camera& cells, const Noise& noise, double timestamp) {
     test_.prepare(cells);
-    for (Reference& r : history_) r.motion.adjacent = false, r.motion.seconds = timestamp - r.timestamp;
+    for (Reference& r : history_) {
+      r.motion.adjacent = false, r.motion.seconds = timestamp - r.timestamp;
+      r.intensity_scale = 0;
+    }
     history_[0].motion.adjacent = true;
     const std::size_t n = history_.size();
     std::size_t last = n;
@@ -193,7 +196,18 @@ class Discovery {
       Reference& r = history_[k];
       test_(cells, noise, current_, r.frame, r.standing, r.motion, inconsistency_);
       test_.add_discovered(cells, noise, current_, r.discovered, followed_, r.motion, inconsistency_);
+      r.intensity_scale = test_.intensity_scale;
     }
+  }
+
+  /// Whether a cell contradicts a static scene, by its depth or by its grey value.
+  bool contradicts(const Camera& cells, const Noise& noise, int x, int y) const {
+    if (inconsistency_.depth(x, y) > RegionGrower::kSeed) return true;
+    for (const Reference& r : history_)
+      if (r.intensity_scale > 0 &&
+          test_.photo(cells, noise, current_, r.frame, r.motion, r.intensity_scale, x, y) > RegionGrower::kPhoto)
+        return true;
+    return false;
   }
 
   /// Converts pixels to cells. A cell is covered if any of its pixels is, with a margin of one cell. It is followed if
@@ -201,19 +215,23 @@ class Discovery {
   void read(const Image<std::uint8_t>& known) {
     covered_.resize(current_.q.width(), current_.q.height());
     followed_.resize(current_.q.width(), current_.q.height());
-    const int cell = 1 << level_;
-    for (int y = 0; y < covered_.height(); ++y)
-      for (int x = 0; x < covered_.width(); ++x) {
-        bool any = false, same = true;
-        const std::uint8_t first = known(x * cell, y * cell);
-        for (int v = y * cell; v < (y + 1) * cell; ++v)
-          for (int u = x * cell; u < (x + 1) * cell; ++u) {
-            any |= known(u, v) == kCovered;
-            same &= known(u, v) == first;
-          }
-        covered_(x, y) = any ? 255 : 0;
-        followed_(x, y) = same ? first : kNothing;
+    const int cell = 1 << level_, width = known.width();
+    extremes_.resize(width, 2);
+    std::uint8_t *low = extremes_.row(0), *high = extremes_.row(1);
+    for (int y = 0; y < covered_.height(); ++y) {
+      std::copy_n(known.row(y * cell), width, low);
+      std::copy_n(known.row(y * cell), width, high);
+      for (int v = y * cell + 1; v < (y + 1) * cell; ++v) {
+        const std::uint8_t* row = known.row(v);
+        for (int u = 0; u < width; ++u) low[u] = std::min(low[u], row[u]), high[u] = std::max(high[u], row[u]);
       }
+      for (int x = 0; x < covered_.width(); ++x) {
+        std::uint8_t least = kCovered, most = kNothing;
+        for (int u = x * cell; u < (x + 1) * cell; ++u) least = std::min(least, low[u]), most = std::max(most, high[u]);
+        covered_(x, y) = most == kCovered ? 255 : 0;
+        followed_(x, y) = least == most ? most : kNothing;
+      }
+    }
     dilate<1>(std::as_const(covered_).view(), rows_, covered_.view());
     for (int y = 0; y < covered_.height(); ++y)
       for (int x = 0; x < covered_.width(); ++x) {
@@ -247,7 +265,7 @@ class Discovery {
   SupportingPlanes planes_;
   RegionGrower grower_;
   RegionPainter painter_;
-  Image<std::uint8_t> rows_;                       ///< scratch
+  Image<std::uint8_t> rows_, extremes_;            ///< scratch
   Image<std::uint8_t> covered_, followed_, seen_;  ///< cells; `seen_`: regions of the last frame, with a margin
 };
 

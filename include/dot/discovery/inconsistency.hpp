@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "dot/discovery/cell_warp.hpp"
-#include "dot/image/buffer.hpp"
 #include "dot/image/image.hpp"
+#include "dot/image/morphology.hpp"
 #include "dot/image/pyramid.hpp"
 #include "dot/lie/se3.hpp"
 #include "dot/statistics/median.hpp"
@@ -32,36 +34,28 @@ struct CellFrame {
   void build(const Image<std::uint8_t>& grey_level, const Image<float>& depth_level) {
     grey = grey_level;
     q = depth_level;
-    const int w = q.width(), h = q.height();
-    nearest.resize(w, h);
-    farthest.resize(w, h);
-    for (int y = 0; y < h; ++y)
-      for (int x = 0; x < w; ++x) {
-        float largest = 0, smallest = kNone;
-        for (int j = std::max(0, y - 1); j <= std::min(h - 1, y + 1); ++j)
-          for (int i = std::max(0, x - 1); i <= std::min(w - 1, x + 1); ++i) {
-            const float v = q(i, j);
-            largest = std::max(largest, v);
-            smallest = std::min(smallest, v > 0 ? v : kNone);
-          }
-        nearest(x, y) = largest;
-        farthest(x, y) = smallest < kNone ? smallest : 0;
-      }
+    nearest.resize(q.width(), q.height());
+    farthest.resize(q.width(), q.height());
+    dilate<1>(std::as_const(q).view(), rows_, nearest.view());
+    const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(q.width()) * q.height();
+    std::transform(q.row(0), q.row(0) + size, farthest.row(0), [](float v) { return v > 0 ? v : kNone; });
+    erode<1>(std::as_const(farthest).view(), rows_, farthest.view());
+    std::transform(farthest.row(0), farthest.row(0) + size, farthest.row(0), [](float v) { return v < kNone ? v : 0; });
   }
 
  private:
   static constexpr float kNone = 1e9f;
+  Image<float> rows_;  ///< scratch
 };
 
-/// How much each cell of the new frame contradicts a static scene, in sigma. It is the maximum over the references.
+/// How much the depth of each cell of the new frame contradicts a static scene. It is the maximum over the references.
 struct Inconsistency {
-  Image<float> depth;     ///< of the measured depth with the predicted one
-  Image<float> photo;     ///< of the grey value with the predicted one
-  Image<float> receding;  ///< 1/m per second, signed: speed at which the last frame's surface there recedes
+  Image<float> depth;     ///< sigma, of the measured depth with the predicted one; 0 where that is not farther
+  Image<float> receding;  ///< 1/m per second: speed at which the last frame's surface there recedes, 0 if it does not
 
   /// Sets the size, and all cells to 0.
   void clear(int width, int height) {
-    for (Image<float>* image : {&depth, &photo, &receding}) {
+    for (Image<float>* image : {&depth, &receding}) {
       image->resize(width, height);
       image->fill(0);
     }
@@ -91,14 +85,16 @@ struct CellMotion {
 ///   reference, a cell must also recede in the last interval at half or more of its mean rate since that reference.
 ///
 /// Both differences are to the nearest surface of 3x3 cells. This tolerates fattened edges and half a cell of error.
-/// They are divided by the sigma of the difference, s^2 = 2 pixel^2 + common^2 + (q^2 sigma_t)^2. Cells on the
-/// reference's surface or nearer are also compared by intensity. The sigma of that consists of the residual's robust
-/// scale, the gradient times `kGradientNoise` cells, and the parallax due to the depth noise.
+/// They are divided by the sigma of the difference, s^2 = 2 pixel^2 + common^2 + (q^2 sigma_t)^2.
+///
+/// Cells on the reference's surface or nearer can also be compared by intensity, see `photo`. That is done for cells
+/// about a contradiction alone. Only the scale of all residuals is needed for it, which some of the cells tell.
 template <typename Camera, typename Noise>
 class InconsistencyTest {
  public:
   static constexpr float kLeaving = 0.25f;       ///< of the present range
   static constexpr float kGradientNoise = 0.2f;  ///< cells
+  static constexpr int kSampled = 4;             ///< of so many cells one tells the scale of the residuals
 
   CellWarp<Camera> warp;       ///< between the frames
   float intensity_scale = 10;  ///< grey values: robust scale of the residuals of the last call
@@ -132,41 +128,63 @@ class InconsistencyTest {
     left(camera, noise, current, discovered, motion, out, [&](int u, int v) { return followed(u, v) != 0; });
   }
 
+  /// How much the grey value of a cell contradicts a static scene, in sigma. The variance consists of the residuals'
+  /// robust scale, the gradient times `kGradientNoise` cells, and the parallax due to the depth noise. 0 if nothing can
+  /// be said: the cell or the place in the reference has no depth, or the cell is hidden there.
+  /// @param scale `intensity_scale` after the comparison with this reference. May run in several threads at once.
+  float photo(const Camera& camera, const Noise& noise, const CellFrame& current, const CellFrame& reference,
+              const CellMotion& motion, float scale, int x, int y) const {
+    const SE3f T = motion.T_cur_ref.inverse().template cast<float>();
+    const float q = current.q(x, y);
+    Moved m;
+    if (x < 1 || y < 1 || x + 1 >= current.q.width() || y + 1 >= current.q.height()) return 0;
+    if (!(q > 0) || !warp(camera, T, x, y, q, m) || !is_visible(noise, reference, motion, m)) return 0;
+    const Vector2<float> gradient = current.gradient(x, y);
+    const float dq = 1.4f * static_cast<float>(noise.pixel_sigma(q));
+    const float parallax = dq * gradient.dot(warp.by_inverse_depth(camera, T, x, y, q));
+    const float variance =
+        scale * scale + parallax * parallax + kGradientNoise * kGradientNoise * gradient.squaredNorm();
+    return std::abs(residual(current, reference, motion, x, y, m)) / std::sqrt(variance);
+  }
+
  private:
   using Moved = typename CellWarp<Camera>::Moved;
+
+  /// Whether the reference shows a surface there that does not hide the cell.
+  static bool is_visible(const Noise& noise, const CellFrame& reference, const CellMotion& motion, const Moved& m) {
+    const int u = static_cast<int>(m.u + 0.5f), v = static_cast<int>(m.v + 0.5f);
+    return reference.nearest(u, v) > 0 && !(m.q < reference.farthest(u, v) - 2 * sigma(noise, m.q, motion));
+  }
+  static float residual(const CellFrame& current, const CellFrame& reference, const CellMotion& motion, int x, int y,
+                        const Moved& m) {
+    return static_cast<float>(current.grey(x, y)) -
+           static_cast<float>(motion.gain) * bilinear(reference.grey, m.u, m.v) - static_cast<float>(motion.offset);
+  }
 
   void entered(const Camera& camera, const Noise& noise, const CellFrame& current, const CellFrame& reference,
                const CellMotion& motion, Inconsistency& out) {
     const SE3f T = motion.T_cur_ref.inverse().template cast<float>();
-    const float gain = static_cast<float>(motion.gain), offset = static_cast<float>(motion.offset);
-    std::size_t count = 0;
-    residuals_.resize(static_cast<std::size_t>(current.q.width()) * static_cast<std::size_t>(current.q.height()));
+    magnitudes_.clear();
     for (int y = 1; y + 1 < current.q.height(); ++y) {
       warp.move_row(camera, T, y, current.q.row(y));
+      const float* nearest = reference.nearest.row(0);
+      float* depth = out.depth.row(y);
       for (int x = 1; x + 1 < current.q.width(); ++x) {
-        const float q = current.q(x, y);
-        Moved m;
-        if (!(q > 0) || !warp.is_seen(camera, x, q, m)) continue;
-        const int u = static_cast<int>(m.u + 0.5f), v = static_cast<int>(m.v + 0.5f);
-        const float near = reference.nearest(u, v);
-        if (!(near > 0)) continue;
-        const float s = sigma(noise, m.q, motion), d = (m.q - near) / s;
-        out.depth(x, y) = std::max(out.depth(x, y), d);
-        if (m.q < reference.farthest(u, v) - 2 * s) continue;  // hidden in the reference
-        const Vector2<float> gradient = current.gradient(x, y);
-        const float dq = 1.4f * static_cast<float>(noise.pixel_sigma(q));
-        const float parallax = dq * gradient.dot(warp.by_inverse_depth(camera, T, x, y, q));
-        const float r = static_cast<float>(current.grey(x, y)) - gain * bilinear(reference.grey, m.u, m.v) - offset;
-        Residual& added = residuals_[count++];
-        added.x = x, added.y = y, added.value = r, added.agrees = std::abs(d) < 2;
-        added.variance = parallax * parallax + kGradientNoise * kGradientNoise * gradient.squaredNorm();
+        const int place = warp.nearest(x);
+        if (place < 0) continue;
+        const float q = warp.moved_q(x), near = nearest[place];
+        // Most cells are on the nearest surface or behind it, and need no sigma.
+        if (near > 0 && q > near) depth[x] = std::max(depth[x], (q - near) / sigma(noise, q, motion));
+      }
+      for (int x = 1 + y % kSampled; x + 1 < current.q.width(); x += kSampled) {
+        const int place = warp.nearest(x);
+        if (place < 0 || !(nearest[place] > 0)) continue;
+        const float q = warp.moved_q(x), s = sigma(noise, q, motion);
+        if (std::abs(q - nearest[place]) < 2 * s && !(q < reference.farthest.row(0)[place] - 2 * s))
+          magnitudes_.push_back(std::abs(residual(current, reference, motion, x, y, warp.moved(x))));
       }
     }
-    residuals_.resize(count);
     intensity_scale = scale_of_residuals();
-    const float scale = intensity_scale;
-    for (const Residual& r : residuals_)
-      out.photo(r.x, r.y) = std::max(out.photo(r.x, r.y), std::abs(r.value) / std::sqrt(scale * scale + r.variance));
   }
 
   /// @param counts (u, v) -> bool: whether the evidence is about this cell.
@@ -179,12 +197,12 @@ class InconsistencyTest {
       if (std::none_of(row, row + standing.width(), [](float q) { return q > 0; })) continue;
       warp.move_row(camera, T, y, row);
       for (int x = 0; x < standing.width(); ++x) {
-        const float q = standing(x, y);
-        Moved m;
-        if (!(q > 0) || !warp.is_seen(camera, x, q, m)) continue;
+        if (warp.nearest(x) < 0) continue;
+        const float behind = warp.moved_q(x) - current.nearest.row(0)[warp.nearest(x)];
+        if (!(behind > 0) && !motion.adjacent) continue;
+        const Moved m = warp.moved(x);
+        const float d = behind > 0 ? behind / sigma(noise, m.q, motion) : 0;
         const int u0 = static_cast<int>(m.u), v0 = static_cast<int>(m.v);
-        const float d = (m.q - current.nearest(static_cast<int>(m.u + 0.5f), static_cast<int>(m.v + 0.5f))) /
-                        sigma(noise, m.q, motion);
         for (int v = v0; v <= v0 + 1; ++v)
           for (int u = u0; u <= u0 + 1; ++u) {
             const float now = current.q(u, v);
@@ -202,21 +220,11 @@ class InconsistencyTest {
 
   /// Robust scale of the residuals of cells whose depth agrees. Grey values, at least one.
   float scale_of_residuals() {
-    magnitudes_.clear();
-    for (const Residual& r : residuals_)
-      if (r.agrees) magnitudes_.push_back(std::abs(r.value));
     if (magnitudes_.size() < 20) return 10;
     return std::max(1.f, static_cast<float>(kSigmaOfMedian) * median(magnitudes_.begin(), magnitudes_.end()));
   }
 
-  struct Residual {
-    int x, y;
-    float value;     ///< grey values
-    float variance;  ///< without that of the intensity itself
-    bool agrees;     ///< whether the depth agrees
-  };
-  Buffer<Residual> residuals_;
-  std::vector<float> magnitudes_;
+  std::vector<float> magnitudes_;  ///< of sampled residuals, grey values
 };
 
 DOT_END_NAMESPACE

@@ -30,18 +30,13 @@ class RegionGrower {
   /// Regions of one frame, the largest clusters first: cells as y * width + x.
   std::vector<std::vector<int>> regions;
 
-  /// Whether cell i contradicts a static scene.
-  static bool contradicts(const Inconsistency& evidence, int i) {
-    return evidence.depth.row(0)[i] > kSeed || evidence.photo.row(0)[i] > kPhoto;
-  }
-
   /// @param q of the cells, 1/m, 0 = none. @param sigma (q) -> standard deviation of q.
   /// @param open (x, y) -> bool: whether the cell may belong to an unknown object (no mask, not the ground).
   /// @param followed number of the object that was found before and is expected there, 0 = none. These cells are seeds
-  /// too.
-  template <typename Sigma, typename Open>
+  /// too. @param contradicts (x, y) -> bool: whether the cell contradicts a static scene by depth or intensity.
+  template <typename Sigma, typename Open, typename Contradicts>
   void operator()(const Image<float>& q, const Inconsistency& evidence, const Image<std::uint8_t>& followed,
-                  Sigma&& sigma, Open&& open) {
+                  Sigma&& sigma, Open&& open, Contradicts&& contradicts) {
     width_ = q.width();
     height_ = q.height();
     q_ = &q;
@@ -70,7 +65,7 @@ class RegionGrower {
       return l.size() != r.size() ? l.size() > r.size() : l.front() < r.front();
     });
     regions.clear();
-    for (std::vector<int>& cluster : clusters_) grow(cluster, evidence, followed);
+    for (std::vector<int>& cluster : clusters_) grow(cluster, evidence, followed, contradicts);
     merge(followed);
   }
 
@@ -102,7 +97,9 @@ class RegionGrower {
     }
   }
 
-  void grow(std::vector<int>& cells, const Inconsistency& evidence, const Image<std::uint8_t>& followed) {
+  template <typename Contradicts>
+  void grow(std::vector<int>& cells, const Inconsistency& evidence, const Image<std::uint8_t>& followed,
+            Contradicts&& contradicts) {
     cells.erase(
         std::remove_if(cells.begin(), cells.end(), [&](int i) { return state_[static_cast<std::size_t>(i)] != kOpen; }),
         cells.end());
@@ -115,10 +112,11 @@ class RegionGrower {
     const double seeds = static_cast<double>(cells.size() - first);
     spread(cells, first, 1 + static_cast<int>(0.5 * std::sqrt(seeds)),
            [&](std::size_t k) { return state_[k] == kOpen ? (state_[k] = kTaken, true) : false; });
-    int inconsistent = 0;
-    for (const int i : cells) inconsistent += contradicts(evidence, i) || followed.row(0)[i];
     const int count = static_cast<int>(cells.size());
-    if (count >= kMinCells && inconsistent >= kMinShare * count) regions.push_back(std::move(cells));
+    if (count < kMinCells) return;
+    int inconsistent = 0;
+    for (const int i : cells) inconsistent += followed.row(0)[i] || contradicts(i % width_, i / width_);
+    if (inconsistent >= kMinShare * count) regions.push_back(std::move(cells));
   }
 
   /// Merges regions that touch without a step in depth, and regions of an object that was found before. A post in front

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -55,15 +57,11 @@ class RegionPainter {
     erode<1>(inside, rows_, inner_.view());
     const std::array<int, 4> box =
         clip_box({x0 * cell, y0 * cell, w * cell, h * cell}, pixels.width(), pixels.height());
-    fill_mask(
-        box,
-        [&](int u, int v) {
-          const int x = u / cell - x0, y = v / cell - y0;
-          const float value = pixels(u, v);
-          if (!(value > 0)) return inner_(x, y) != 0;
-          return near_(x, y) > 0 ? value >= far_(x, y) && value <= near_(x, y) : inner_(x, y) != 0;
-        },
-        out);
+    paint(box, pixels, cell, x0, y0);
+    const auto painted = [this, &box](int v) {
+      return [row = painted_.row(v - box[1]), left = box[0]](int u) { return row[u - left] != 0; };
+    };
+    fill_mask_by_rows(box, painted, out);
   }
 
  private:
@@ -86,9 +84,33 @@ class RegionPainter {
       for (int x = 0; x < inside_.width(); ++x) inside_(x, y) = inside_(x, y) == outside ? 0 : 255;
   }
 
-  std::vector<std::array<int, 2>> front_;  ///< of the flood fill outside
-  Image<std::uint8_t> inside_, inner_, rows_;
-  Image<float> near_, far_;  ///< bounds of the inverse depth about each cell
+  /// Paints the pixels of `box`, which begins with cell (x0, y0) or at the border of the image: those within the bounds
+  /// of their cell, and inside the region those without depth or bounds.
+  void paint(const std::array<int, 4>& box, const Image<float>& pixels, int cell, int x0, int y0) {
+    const auto [left, top, width, height] = box;
+    painted_.resize(width, height);
+    painted_.fill(0);
+    for (int v = top; v < top + height; ++v) {
+      const int y = v / cell - y0;
+      const float* values = pixels.row(v);
+      std::uint8_t* out = painted_.row(v - top);
+      for (int x = left / cell - x0; x < inside_.width() && (x0 + x) * cell < left + width; ++x) {
+        const bool inner = inner_(x, y) != 0, bounded = near_(x, y) > 0;
+        if (!inner && !bounded) continue;
+        const float low = bounded ? far_(x, y) : 0, high = bounded ? near_(x, y) : std::numeric_limits<float>::max();
+        const int end = std::min((x0 + x + 1) * cell, left + width);
+        for (int u = std::max((x0 + x) * cell, left); u < end; ++u) {
+          const float q = values[u];
+          out[u - left] = (q > 0 ? q >= low && q <= high : inner) ? 255 : 0;
+        }
+      }
+    }
+  }
+
+  std::vector<std::array<int, 2>> front_;      ///< of the flood fill outside
+  Image<std::uint8_t> inside_, inner_, rows_;  ///< cells
+  Image<std::uint8_t> painted_;                ///< pixels of the box
+  Image<float> near_, far_;                    ///< bounds of the inverse depth about each cell
 };
 
 DOT_END_NAMESPACE

@@ -173,8 +173,8 @@ inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth
   if (accepted < kMinTemplateDepth) return out.clear(), false;
   const auto below = std::count_if(begin, end, [low](float q) { return static_cast<double>(q) < low; });
   float *const middle = begin + (count - 1) / 2, *const half = begin + below + (accepted - 1) / 2;
-  std::nth_element(half < middle ? begin : middle, half,
-                   half < middle ? middle : end);  // partly sorted already by `spread`
+  sort_nth(half < middle ? begin : middle, half,
+           half < middle ? middle : end);  // partly sorted already by `spread`
   out.median = static_cast<double>(*half);
   out.measured = true;
   if (&mask != &out.mask) out.mask = mask;

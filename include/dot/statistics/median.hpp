@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <type_traits>
 
 #include "dot/abi.hpp"
+#include "dot/statistics/nth.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -18,7 +19,7 @@ constexpr double kSigmaOfMedian = 1.4826;
 template <typename Iterator>
 auto quantile(Iterator first, Iterator last, double share) {
   const auto nth = static_cast<std::ptrdiff_t>(share * static_cast<double>(std::distance(first, last) - 1));
-  std::nth_element(first, first + nth, last);
+  sort_nth(first, first + nth, last);
   return first[nth];
 }
 
@@ -45,9 +46,9 @@ auto spread(Iterator first, Iterator last) {
     return first + static_cast<std::ptrdiff_t>(share * static_cast<double>(std::distance(first, last) - 1));
   };
   const Iterator low = at(0.2), middle = at(0.5), high = at(0.8);
-  std::nth_element(first, middle, last);
-  std::nth_element(first, low, middle);
-  if (high != middle) std::nth_element(middle + 1, high, last);
+  sort_nth(first, middle, last);
+  sort_nth(first, low, middle);
+  if (high != middle) sort_nth(middle + 1, high, last);
   return Spread<std::decay_t<decltype(*first)>>{*low, *middle, *high};
 }
 
@@ -55,7 +56,7 @@ auto spread(Iterator first, Iterator last) {
 template <typename Iterator>
 auto median(Iterator first, Iterator last) {
   const auto half = std::distance(first, last) / 2;
-  std::nth_element(first, first + half, last);
+  sort_nth(first, first + half, last);
   return first[half];
 }
 

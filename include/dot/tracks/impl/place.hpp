@@ -69,8 +69,10 @@ void Tracks<Camera, Classifier, Noise, Aligner>::examine(Track& t, double second
   Mask& mask = t.observed ? t.observed->mask : t.outline.warped.mask;
   if (!discovery.is_blind() && !t.is_rejected_candidate() && !t.motion.references.empty() && !mask.empty()) {
     MovingPart& part = worker.moving_part;
-    discovery.compare(setup.camera, discovery.bounded(setup.noise), mask, t.motion.references, part);
-    t.candidacy.examine(part.is_comparable() ? part.certainty() : discovery.certainty(mask), seconds);
+    const Noise noise = discovery.bounded(setup.noise);
+    discovery.compare(setup.camera, noise, mask, t.motion.references, part);
+    t.candidacy.examine(part.is_comparable() ? part.certainty() : discovery.certainty(setup.camera, noise, mask),
+                        seconds);
     if (t.observed && t.motion.step.fit.ok() && part.is_mixed()) part.cut(mask);
   }
   t.candidacy.decide(t.belief.state);

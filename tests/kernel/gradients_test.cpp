@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -60,6 +61,36 @@ TEST(GradientKernel, FindsTheStrongestOfEachColumn) {
           }
         }
     }
+}
+
+// Every third row of eight: the neighbours of a pixel are still those of the image.
+TEST(GradientKernel, SearchesEveryFewRows) {
+  constexpr int width = 21, step = 3, height = 8, stride = width + 2;
+  Random random(4);
+  std::vector<unsigned char> grey(stride * (height + 2)), mask(width * height, 1);
+  std::vector<float> q(width * height, 1);
+  for (auto& each : grey) each = static_cast<unsigned char>(random.uniform(0, 256));
+  for (float& each : q) each = random.uniform() < 0.8 ? 1.f : 0.f;
+  kernel::GradientStrip strip;
+  strip.grey = grey.data() + stride + 1, strip.grey_stride = stride;
+  strip.mask = mask.data(), strip.mask_stride = width;
+  strip.q = q.data(), strip.q_stride = 4 * width;
+  strip.width = width, strip.rows = (height + step - 1) / step, strip.row_step = step;
+  for (const kernel::Kernels* k : kernel_variants()) {
+    std::vector<int> keys(width);
+    k->strongest_gradients(strip, 0, keys.data());
+    for (int x = 0; x < width; ++x) {
+      int best = 0, row = 0;
+      for (int y = 0; y < height; y += step) {
+        const unsigned char* p = strip.grey + y * stride + x;
+        const int gx = p[1] - p[-1], gy = p[stride] - p[-stride], g = gx * gx + gy * gy;
+        if (q[static_cast<std::size_t>(y * width + x)] > 0 && g > best) best = g, row = y;
+      }
+      const int found = keys[static_cast<std::size_t>(x)];
+      EXPECT_EQ(strip.gradient_of(found), best) << k->name;
+      EXPECT_EQ(step * strip.row_of(found), row) << k->name;
+    }
+  }
 }
 
 TEST(GradientKernel, KeysOfTheTallestStripFit) {

@@ -126,7 +126,7 @@ void split(const ImageRef& ids, Split& out) {
 /// An id image of blobs, with rows longer than the image.
 template <typename T>
 void check_split(PixelFormat format, T largest) {
-  constexpr int width = 37, height = 23, stride = 48;
+  constexpr int width = 137, height = 23, stride = 148;  // runs that are longer than the words compared at once
   std::mt19937 random(2);
   const std::vector<T> choice{0, 1, 2, 9, static_cast<T>(largest - 1), largest};
   Split found;

@@ -232,6 +232,20 @@ TEST(Selector, TakesTheStrongestOfEachCell) {
   EXPECT_GT(found, 0.8 * cells);    // the others have no plane
 }
 
+// A few points for a large region: each is the best of some rows of a large cell.
+TEST(Selector, SearchesSomeRowsOfALargeCell) {
+  const Fixture f;
+  const PointSet points = f.select(whole, 30);
+  const int cell = 49, step = 4;  // sqrt(312 * 232 / 30); so many rows that at most 16 are searched
+  EXPECT_GT(points.size(), 15);
+  std::set<std::pair<int, int>> cells;
+  for (std::size_t i = 0; i < points.u.size(); ++i) {
+    EXPECT_EQ((row(points, i) - 4) % cell % step, 0);
+    cells.insert({(column(points, i) - 4) / cell, (row(points, i) - 4) / cell});
+  }
+  EXPECT_EQ(cells.size(), points.u.size());
+}
+
 TEST(Selector, SamplesTheIntensitiesOfEachLevel) {
   const Fixture f;
   PointSet points = f.select(whole, 800);

@@ -18,6 +18,7 @@ struct GradientStrip {
   const float* q = nullptr;             ///< a pixel counts only if its value is above 0; null: all count
   std::ptrdiff_t q_stride = 0;          ///< bytes
   int width = 0, rows = 0;              ///< pixels; at most kMaxStripRows
+  int row_step = 1;                     ///< rows of the image from one row of the strip to the next
 
   /// Key of a pixel in a row of the strip. A stronger gradient has a larger key, and among equals the upper pixel.
   /// @param gradient (2 |grad I|)^2, from central differences without the factor 1/2.

@@ -193,12 +193,16 @@ template <typename T>
 int end_of_run(const T* row, int begin, int width) {
   constexpr int step = sizeof(std::uint64_t) / sizeof(T);  // pixels that are compared at once
   const std::uint64_t same = row[begin] * (~std::uint64_t{0} / std::numeric_limits<T>::max());
-  int end = begin + 1;
-  for (; end + step <= width; end += step) {
+  const auto differs = [row, same](int from) {
     std::uint64_t next = 0;
-    std::memcpy(&next, row + end, sizeof next);
-    if (next != same) break;
-  }
+    std::memcpy(&next, row + from, sizeof next);
+    return next ^ same;
+  };
+  int end = begin + 1;
+  while (end + 4 * step <= width &&
+         !(differs(end) | differs(end + step) | differs(end + 2 * step) | differs(end + 3 * step)))
+    end += 4 * step;
+  while (end + step <= width && !differs(end)) end += step;
   while (end < width && row[end] == row[begin]) ++end;
   return end;
 }

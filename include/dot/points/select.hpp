@@ -60,6 +60,7 @@ struct SelectionWorkspace {
 template <typename Camera, typename Noise>
 struct Selector {
   static constexpr float kCorrelatedArea = 45;  ///< px
+  static constexpr int kMostRows = 16;  ///< rows of a cell that are searched; the best of so many is strong enough
 
   const Camera& camera;                                 ///< of level 0
   const Noise& noise;                                   ///< of the depth
@@ -93,8 +94,9 @@ struct Selector {
     std::vector<int>& keys = workspace.keys;
     keys.resize(static_cast<std::size_t>(strip.width));
     workspace.seeds.clear();
+    strip.row_step = (cell + kMostRows - 1) / kMostRows;
     for (int y = y0; y < y1; y += cell) {
-      strip.rows = std::min(cell, y1 - y);
+      strip.rows = (std::min(cell, y1 - y) + strip.row_step - 1) / strip.row_step;
       strip.grey = grey.row(y) + x0;
       strip.mask = mask.row(y - box.y) + (x0 - box.x);
       strip.q = region.shared ? nullptr : region.surface.row(y - box.y) + (x0 - box.x);
@@ -107,7 +109,7 @@ struct Selector {
           best = std::max(best, key);
         }
         if (strip.gradient_of(best) <= threshold) continue;
-        const int u = x0 - box.x + column, v = y - box.y + strip.row_of(best);
+        const int u = x0 - box.x + column, v = y - box.y + strip.row_step * strip.row_of(best);
         const float measured = region.surface(u, v), sigma = pixel_sigma(region, measured);
         workspace.seeds.push_back({u, v, measured, 5 * sigma});
       }
@@ -136,7 +138,9 @@ struct Selector {
   /// Cell size of the grid. The budget is spread over the area that may have points.
   int cell_size(const SelectionRegion& region, ImageView<const std::uint8_t> mask, int x0, int y0, int x1,
                 int y1) const {
-    const int step = (x1 - x0) * (y1 - y0) > 20000 ? 4 : 1;
+    constexpr double kSamples = 30000;  // are enough; a small region is counted
+    const double size = 1.0 * (x1 - x0) * (y1 - y0);
+    const int step = size > 20000 ? std::max(4, static_cast<int>(std::sqrt(size / kSamples))) : 1;
     int area = 0;
     for (int y = y0; y < y1; y += step)
       for (int x = x0; x < x1; x += step) area += mask(x, y) != 0 && (region.shared || region.surface(x, y) > 0);

@@ -26,9 +26,10 @@ class Tracks {
 
   /// Buffers of a thread.
   struct Worker {
-    ObjectWorkspace<Aligner> object;  ///< of motions
-    OutlineWorkspace outline;         ///< of outlines
-    MovingPart moving_part;           ///< of a discovered object
+    ObjectWorkspace<Aligner> object;    ///< of motions
+    OutlineWorkspace outline;           ///< of outlines
+    MovingPart moving_part;             ///< of a discovered object
+    PaintedImage<std::uint8_t> nearer;  ///< where nearer objects are
   };
 
   /// The tracker of one object. @param noise may differ from the setup's. All arguments are borrowed.
@@ -59,8 +60,8 @@ class Tracks {
   void assign(Observations& observations, const MaskSettings& settings);
 
   /// Estimates motions and states of `tracks` (Algorithm 1 of the paper, with `continue` instead of `break`). The
-  /// nearest comes first, because it hides parts of the others. Objects that cannot touch one another are followed in
-  /// parallel.
+  /// nearest comes first, because it hides parts of the others. Objects are followed in parallel, but for those that
+  /// may be hidden by one without a mask of a network.
   /// @param observations those without a track may show one of `tracks`.
   void follow(const List& tracks, const Interval& interval, const Observations& observations, const Setup& setup);
 
@@ -125,6 +126,7 @@ class Tracks {
   void place(Track& t, const Interval& interval, const FramePtr& frame, bool segmented,
              const Discovery<Camera, Noise>& discovery, const Setup& setup, Worker& worker) const;
   void align_backwards(Track& t, const Interval& interval, const Setup& setup, Worker& worker) const;
+  void paint_nearer(std::size_t object, int width, int height, PaintedImage<std::uint8_t>& out) const;
   static bool may_touch(const Track& a, const Track& b);
   void choose_followed(int most);
   void drop_surplus(std::size_t most);
@@ -134,12 +136,12 @@ class Tracks {
 
   std::vector<Worker> workers_;
   Assignment assignment_;
-  PaintedImage<std::uint8_t> nearer_;    ///< where objects nearer than those being followed were found
   List selected_;                        ///< result of `that`
   std::vector<const PointSet*> points_;  ///< result of `points_of`
   List order_;                           ///< nearest first
-  List at_once_;                         ///< tracks of one round
+  std::vector<Dependence> waits_;        ///< which in `order_` waits for which
   std::vector<int> rounds_;              ///< for each in `order_`: the round that follows it
+  std::vector<std::size_t> at_once_;     ///< places in `order_` of one round
 };
 
 DOT_END_NAMESPACE

@@ -15,13 +15,14 @@ void strongest_of(const GradientStrip& strip, int threshold, int* keys) {
   const int none = strip.key(threshold, 0), width = strip.width;
   for (int x = 0; x < width; ++x) keys[x] = none;
   for (int y = 0; y < strip.rows; ++y) {
-    const unsigned char* row = strip.grey + y * strip.grey_stride;
+    const int row_of_image = y * strip.row_step;
+    const unsigned char* row = strip.grey + row_of_image * strip.grey_stride;
     const unsigned char* above = row - strip.grey_stride;
     const unsigned char* below = row + strip.grey_stride;
-    const unsigned char* mask = strip.mask + y * strip.mask_stride;
+    const unsigned char* mask = strip.mask + row_of_image * strip.mask_stride;
     const float* q = nullptr;
     if constexpr (kMeasuredAlone)
-      q = reinterpret_cast<const float*>(reinterpret_cast<const unsigned char*>(strip.q) + y * strip.q_stride);
+      q = reinterpret_cast<const float*>(reinterpret_cast<const unsigned char*>(strip.q) + row_of_image * strip.q_stride);
     const int row_bits = strip.row_bits(), of_row = strip.key(0, y);
     for (int x = 0; x < width; ++x) {
       // 16-bit products are faster.

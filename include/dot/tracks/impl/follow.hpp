@@ -14,7 +14,7 @@ DOT_BEGIN_NAMESPACE
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::prepare(const Aligner& aligner, const Threads& threads) {
   while (workers_.size() < static_cast<std::size_t>(std::max(1, threads.count)))
-    workers_.push_back({{aligner, {}, {}, {}, {}, {}}, {}, {}});
+    workers_.push_back({{aligner, {}, {}, {}, {}, {}}, {}, {}, {}});
 }
 
 /// The tracks for which `condition` holds, by id; valid until the next call.
@@ -94,26 +94,40 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(const List& tracks, cons
     const double a = l->inverse_depth(), b = r->inverse_depth();
     return a != b ? a > b : l->identity.id < r->identity.id;
   });
-  nearer_.clear(setup.camera.width(), setup.camera.height());
-  const auto touches = [&](std::size_t nearer, std::size_t object) {
-    return may_touch(*order_[nearer], *order_[object]);
-  };
-  const int rounds = rounds_of(order_.size(), touches, rounds_);
+  waits_.clear();
+  for (std::size_t object = 0; object < order_.size(); ++object)
+    for (std::size_t nearer = 0; nearer < object; ++nearer)
+      if (!order_[nearer]->segmented && may_touch(*order_[nearer], *order_[object])) waits_.push_back({object, nearer});
+  const int rounds = rounds_of(order_.size(), waits_, rounds_);
   for (int round = 0; round < rounds; ++round) {
     at_once_.clear();
     for (std::size_t i = 0; i < order_.size(); ++i)
-      if (rounds_[i] == round) at_once_.push_back(order_[i]);
-    setup.threads.run(static_cast<int>(at_once_.size()), [&](int worker, int i) {
-      follow(*at_once_[static_cast<std::size_t>(i)], interval, observations, setup,
-             workers_[static_cast<std::size_t>(worker)]);
+      if (rounds_[i] == round) at_once_.push_back(i);
+    setup.threads.run(static_cast<int>(at_once_.size()), [&](int thread, int i) {
+      Worker& worker = workers_[static_cast<std::size_t>(thread)];
+      const std::size_t object = at_once_[static_cast<std::size_t>(i)];
+      paint_nearer(object, setup.camera.width(), setup.camera.height(), worker.nearer);
+      follow(*order_[object], interval, observations, setup, worker);
     });
-    for (const Track* t : at_once_)
-      if (!t->candidacy.is_candidate && (t->motion.step.fit.ok() || t->observed)) nearer_.paint(t->newest_mask(), 255);
   }
 }
 
-/// Whether one object may hide a part of the other. The farther one then waits for the nearer one. Compares their
-/// predicted and observed outlines, with a margin for unexpected motion.
+/// Paints where the nearer objects are that are known: those that a network shows in this frame, because they are where
+/// their masks are, and those of earlier rounds.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::paint_nearer(std::size_t object, int width, int height,
+                                                              PaintedImage<std::uint8_t>& out) const {
+  out.clear(width, height);
+  if (!order_[object]->followed) return;
+  for (std::size_t nearer = 0; nearer < object; ++nearer) {
+    const Track& t = *order_[nearer];
+    if (!t.segmented && rounds_[nearer] >= rounds_[object]) continue;
+    if (!t.candidacy.is_candidate && (t.motion.step.fit.ok() || t.observed)) out.paint(t.newest_mask(), 255);
+  }
+}
+
+/// Whether one object may hide a part of the other. Compares their predicted and observed outlines, with a margin for
+/// unexpected motion.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 bool Tracks<Camera, Classifier, Noise, Aligner>::may_touch(const Track& a, const Track& b) {
   const auto masks_of = [](const Track& t) {
@@ -147,7 +161,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval
     const Noise noise = discovered ? Discovery<Camera, Noise>::bounded(setup.noise) : setup.noise;
     step = tracker(setup, noise)
                .follow(t.motion, t.belief, {t.observed, &observations, discovered}, interval,
-                       std::as_const(nearer_).image().view(), worker.object);
+                       std::as_const(worker.nearer).image().view(), worker.object);
     if (is_first && step.fit.ok() && step.fit.phi < kSurePhi) choose_first_fit(t, interval, setup, worker);
   }
   decide(t, interval.cur, camera.T_cur_prev.R, camera.seconds, camera.seconds, setup);

@@ -99,6 +99,7 @@ class Dot {
 
   void label_objects(const Frame& frame);
   double start_interval(double timestamp);
+  CameraStep track_camera(const Frame& frame, double seconds);
   void learn_and_predict(const Interval& interval);
   void forget_wrong_motions();
   void discover(const FrameData& cur, const CameraStep& camera_step);

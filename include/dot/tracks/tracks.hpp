@@ -29,7 +29,8 @@ class Tracks {
     ObjectWorkspace<Aligner> object;    ///< of motions
     OutlineWorkspace outline;           ///< of outlines
     MovingPart moving_part;             ///< of a discovered object
-    PaintedImage<std::uint8_t> nearer;  ///< where nearer objects are
+    PaintedImage<std::uint8_t> nearer;  ///< where objects are that are nearer than the one that is followed
+    std::size_t painted = 0;            ///< of these, number of those looked at, the nearest first
   };
 
   /// The tracker of one object. @param noise may differ from the setup's. All arguments are borrowed.
@@ -126,7 +127,7 @@ class Tracks {
   void place(Track& t, const Interval& interval, const FramePtr& frame, bool segmented,
              const Discovery<Camera, Noise>& discovery, const Setup& setup, Worker& worker) const;
   void align_backwards(Track& t, const Interval& interval, const Setup& setup, Worker& worker) const;
-  void paint_nearer(std::size_t object, int width, int height, PaintedImage<std::uint8_t>& out) const;
+  void paint_nearer(std::size_t object, Worker& worker) const;
   static bool may_touch(const Track& a, const Track& b);
   void choose_followed(int most);
   void drop_surplus(std::size_t most);

@@ -80,22 +80,24 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   const FrameData& cur = *current_;
   ends(Stage::Image);
 
-  // T_c from the background of the previous frame, or the host's.
-  auto& worker = tracks_.workers()[0].object;
-  const CameraStep camera_step =
-      camera_tracker_.track(previous_, cur, seconds, {frame.camera_motion, frame.camera_prior},
-                            tracks_.points_of(previous_ ? previous_->timestamp : 0), camera_, camera_estimator,
-                            worker.aligner, worker.minima);
+  // T_c from the background of the previous frame, or the host's. Meanwhile the masks of the network are read.
+  CameraStep camera_step;
+  observations_.list.clear();
+  threads.run(2, [&](int, int task) {
+    if (task == 0) {
+      camera_step = track_camera(frame, seconds);
+      ends(Stage::Camera);
+    } else if (segmented) {
+      observations_.read(*frame.masks, cur.inverse_depth(), camera_);
+    }
+  });
   if (!camera_tracker_.revised().empty()) forget_wrong_motions();
   late_masks_.advance(camera_step);
-  ends(Stage::Camera);
 
-  // Noise of the depth. Predicted places of the objects. Masks of the network and of moving regions in the background.
+  // Noise of the depth. Predicted places of the objects. Masks of moving regions in the background.
   const Interval interval{previous_.get(), cur, camera_step};
   tracks_.drop_lost();
   learn_and_predict(interval);
-  observations_.list.clear();
-  if (segmented) observations_.read(*frame.masks, cur.inverse_depth(), camera_);
   if (options_.discover_unknown) discover(cur, camera_step);
   tracks_.assign(observations_, options_.mask);
   ends(Stage::Masks);
@@ -110,6 +112,15 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   write_result(frame, camera_step);
   unprepared_ = {camera_step, segmented};
   ends(Stage::Label);
+}
+
+/// @param seconds since the previous frame, 0 if there is none to align to.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+CameraStep Dot<Camera, Classifier, Noise, Aligner>::track_camera(const Frame& frame, double seconds) {
+  auto& worker = tracks_.workers()[0].object;
+  return camera_tracker_.track(previous_, *current_, seconds, {frame.camera_motion, frame.camera_prior},
+                               tracks_.points_of(previous_ ? previous_->timestamp : 0), camera_, camera_estimator,
+                               worker.aligner, worker.minima);
 }
 
 /// Stores what the next frames are compared with, and looks for mistakes in the input.

@@ -14,7 +14,7 @@ DOT_BEGIN_NAMESPACE
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::prepare(const Aligner& aligner, const Threads& threads) {
   while (workers_.size() < static_cast<std::size_t>(std::max(1, threads.count)))
-    workers_.push_back({{aligner, {}, {}, {}, {}, {}}, {}, {}, {}});
+    workers_.push_back({{aligner, {}, {}, {}, {}, {}}, {}, {}, {}, 0});
 }
 
 /// The tracks for which `condition` holds, by id; valid until the next call.
@@ -103,26 +103,25 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(const List& tracks, cons
     at_once_.clear();
     for (std::size_t i = 0; i < order_.size(); ++i)
       if (rounds_[i] == round) at_once_.push_back(i);
+    for (Worker& w : workers_) w.nearer.clear(setup.camera.width(), setup.camera.height()), w.painted = 0;
     setup.threads.run(static_cast<int>(at_once_.size()), [&](int thread, int i) {
       Worker& worker = workers_[static_cast<std::size_t>(thread)];
       const std::size_t object = at_once_[static_cast<std::size_t>(i)];
-      paint_nearer(object, setup.camera.width(), setup.camera.height(), worker.nearer);
+      paint_nearer(object, worker);
       follow(*order_[object], interval, observations, setup, worker);
     });
   }
 }
 
 /// Paints where the nearer objects are that are known: those that a network shows in this frame, because they are where
-/// their masks are, and those of earlier rounds.
+/// their masks are, and those of earlier rounds. A worker gets the objects of a round with the nearest first, so that
+/// those already painted stay.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Tracks<Camera, Classifier, Noise, Aligner>::paint_nearer(std::size_t object, int width, int height,
-                                                              PaintedImage<std::uint8_t>& out) const {
-  out.clear(width, height);
-  if (!order_[object]->followed) return;
-  for (std::size_t nearer = 0; nearer < object; ++nearer) {
+void Tracks<Camera, Classifier, Noise, Aligner>::paint_nearer(std::size_t object, Worker& worker) const {
+  for (std::size_t& nearer = worker.painted; nearer < object; ++nearer) {
     const Track& t = *order_[nearer];
     if (!t.segmented && rounds_[nearer] >= rounds_[object]) continue;
-    if (!t.candidacy.is_candidate && (t.motion.step.fit.ok() || t.observed)) out.paint(t.newest_mask(), 255);
+    if (!t.candidacy.is_candidate && (t.motion.step.fit.ok() || t.observed)) worker.nearer.paint(t.newest_mask(), 255);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -218,6 +219,55 @@ TEST(LateMasks, EndWhatTheyDoNotShow) {
     else
       EXPECT_EQ(last_seen, 13);
   }
+}
+
+/// A mask of one box that no other one touches. @param place 0 to 3.
+Image<std::uint32_t> lone_box(const Image<std::uint32_t>& size, int place) {
+  Image<std::uint32_t> ids(size.width(), size.height());
+  ids.fill(0);
+  const int width = size.width() / 8, left = place * 2 * width;
+  for (int y = size.height() / 2; y < size.height() / 2 + 40; ++y)
+    for (int x = left; x < left + width; ++x) ids(x, y) = 1;
+  return ids;
+}
+
+// More tracks than twice the instances that may be: each set of masks ends the track that was not seen for longest.
+TEST(LateMasks, NameWhatTheyDropOnce) {
+  Film<> film = street();
+  Options options;
+  options.mask.max_instances = 1;
+  Tracker tracker(small_camera(), options);
+  const auto next = [&]() -> const Result& {
+    Frame frame = film.advance();
+    frame.masks.reset();
+    return tracker.track(frame);
+  };
+  const auto named_lost = [](const Result& result) {
+    std::vector<std::uint32_t> ids;
+    for (const ObjectResult& o : result.objects)
+      if (o.reason == dot::Reason::Lost) ids.push_back(o.id);
+    return ids;
+  };
+  const auto submit = [&](int frame, int place) {
+    LateNetwork::submit(tracker, static_cast<std::uint64_t>(frame), lone_box(film.seen().ids, place));
+  };
+  for (int i = 0; i < 6; ++i) next();
+  submit(0, 0), submit(1, 1);
+  ASSERT_EQ(next().objects.size, 2u);
+  submit(2, 2), submit(3, 3);
+  const Result& result = next();
+  EXPECT_EQ(named_lost(result), (std::vector<std::uint32_t>{1, 2})) << "the second after a further submission";
+  EXPECT_EQ(result.objects.size, 4u);
+  ASSERT_NE(result.find(1), nullptr);
+  EXPECT_EQ(result.find(1)->area, 0);
+  EXPECT_EQ(result.find(1)->fused_velocity, (std::array<double, 3>{}));
+  ASSERT_NE(result.find(4), nullptr) << "results are in the order of ids";
+  EXPECT_EQ(named_lost(next()), std::vector<std::uint32_t>{});
+  EXPECT_EQ(next().objects.size, 2u);
+
+  submit(4, 0);
+  tracker.reset();
+  EXPECT_EQ(next().objects.size, 0u) << "nothing of before a reset";
 }
 
 TEST(LateMasks, OfTheNewestFrameAreAsThoseInTime) {

@@ -105,6 +105,7 @@ class Dot {
   void discover(const FrameData& cur, const CameraStep& camera_step);
   void prepare_next(const CameraStep& camera_step, bool segmented);
   void remember(const CameraStep& camera_step);
+  void drop_lost();
   void write_result(const Frame& frame, const CameraStep& camera_step);
   template <typename Body>
   void reset_unless_done(Body&& body);
@@ -150,6 +151,7 @@ class Dot {
 
   Watch watch_;
   std::vector<ObjectResult> objects_;
+  std::vector<ObjectResult> dropped_;  ///< lost since the last result, for the next one
   std::vector<CameraRevision> revised_;
   Result result_;
   Stopwatch stopwatch_;

@@ -55,7 +55,6 @@ void LateMasks<Camera, Classifier, Noise, Aligner>::apply(AwaitedFrames::const_i
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void LateMasks<Camera, Classifier, Noise, Aligner>::recall(const AwaitedFrame& then, double now,
                                                            const Stages& stages) const {
-  stages.tracks.drop_lost();
   for (Track* t : stages.tracks.all()) {
     const SE3d T_then_now = T_now_then(*t, then, now).inverse();
     t->observed = nullptr;

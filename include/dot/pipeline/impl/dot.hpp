@@ -96,7 +96,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
 
   // Noise of the depth. Predicted places of the objects. Masks of moving regions in the background.
   const Interval interval{previous_.get(), cur, camera_step};
-  tracks_.drop_lost();
+  drop_lost();
   learn_and_predict(interval);
   if (options_.discover_unknown) discover(cur, camera_step);
   tracks_.assign(observations_, options_.mask);
@@ -217,6 +217,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
                               std::to_string(options_.mask.late_frames) + " at most");
   reset_unless_done([&] {
     tracks_.prepare(aligner, threads);
+    drop_lost();
     late_masks_.apply(then, masks, current_->timestamp, {tracks_, observations_, labeller_, setup()});
   });
 }
@@ -224,6 +225,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::reset() noexcept {
   unprepared_.reset();
+  dropped_.clear();
   current_.reset();
   previous_.reset();
   camera_tracker_.forget();

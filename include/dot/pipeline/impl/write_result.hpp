@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 
@@ -34,31 +35,40 @@ inline CameraResult result_of(const CameraStep& step) {
   return out;
 }
 
-inline ObjectResult result_of(const Track& t) {
+/// What is known of an object without a frame.
+inline ObjectResult identity_of(const Track& t) {
   ObjectResult out;
   out.id = t.identity.id;
   out.discovered = t.identity.discovered;
-  out.segmented = t.segmented;
-  out.instance_id = t.segmented ? t.identity.instance_id : 0;
   out.class_id = t.identity.class_id;
   out.score = t.identity.score;
+  out.always_dynamic = t.belief.always_dynamic;
+  out.p_moving = t.belief.p_moving;
+  out.last_decided = t.belief.last_decided;
+  if (!t.candidacy.is_candidate) out.state = t.belief.state;  // otherwise it is not confirmed any more
+  return out;
+}
+
+/// Of an object that was dropped between two frames.
+inline ObjectResult last_result_of(const Track& t) {
+  ObjectResult out = identity_of(t);
+  out.reason = Reason::Lost;
+  return out;
+}
+
+inline ObjectResult result_of(const Track& t) {
+  ObjectResult out = identity_of(t);
+  out.segmented = t.segmented;
+  out.instance_id = t.segmented ? t.identity.instance_id : 0;
   if (t.is_shown()) {
     out.area = t.outline.mask.area;
     out.box = t.outline.mask.box();
   }
-  const ObjectBelief& belief = t.belief;
-  out.state = belief.state;
-  out.last_decided = belief.last_decided;
-  out.always_dynamic = belief.always_dynamic;
-  out.p_moving = belief.p_moving;
-  copy(belief.velocity_now, out.fused_velocity);
-  copy(belief.velocity_covariance, out.fused_covariance);
+  copy(t.belief.velocity_now, out.fused_velocity);
+  copy(t.belief.velocity_covariance, out.fused_covariance);
   const ObjectFit& fit = t.motion.step.fit;
   out.reason = fit.reason;
-  if (t.candidacy.is_candidate) {  // it was discovered, and is not confirmed any more
-    out.state = State::NotObservable;
-    if (!t.lost) out.reason = Reason::Hidden;
-  }
+  if (t.candidacy.is_candidate && !t.lost) out.reason = Reason::Hidden;
   out.phi = fit.phi;
   out.n_points = fit.n_points;
   out.n_inliers = fit.n_inliers;
@@ -82,6 +92,17 @@ inline ObjectResult result_of(const Track& t) {
 
 }  // namespace writing
 
+/// Drops the lost objects. The next result names those that no result has called lost.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::drop_lost() {
+  for (const Track* t : tracks_.all()) {
+    if (!t->lost || !t->is_reported()) continue;
+    const ObjectResult* last = result_.find(t->identity.id);
+    if (!last || last->reason != Reason::Lost) dropped_.push_back(writing::last_result_of(*t));
+  }
+  tracks_.drop_lost();
+}
+
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame, const CameraStep& camera_step) {
   result_.frame_id = frame.id;
@@ -102,9 +123,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame, c
     writing::copy(r.step.covariance, out.covariance);
   }
   result_.revised = {revised_.data(), revised_.size()};
-  objects_.clear();
+  objects_.assign(dropped_.begin(), dropped_.end());
+  dropped_.clear();
   for (const Track* t : tracks_.all())
     if (t->is_reported()) objects_.push_back(writing::result_of(*t));
+  std::sort(objects_.begin(), objects_.end(), [](const ObjectResult& l, const ObjectResult& r) { return l.id < r.id; });
   result_.labels = labeller_.labels().image().view();
   result_.ids = labeller_.ids().view();
   result_.objects = {objects_.data(), objects_.size()};

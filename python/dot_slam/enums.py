@@ -32,7 +32,7 @@ class Reason(IntEnum):
     IMPLAUSIBLE = 12
     HIDDEN = 13
     CAMERA_LOST = 14
-    LOST = 15  # not seen for too long: dropped after this frame
+    LOST = 15  # dropped: not seen for too long, or too many
     TOO_MANY_OBJECTS = 16
 
 

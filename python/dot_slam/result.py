@@ -146,7 +146,7 @@ class Result:
 
     labels: npt.NDArray[np.uint8]  # (h, w), a State a pixel
     ids: npt.NDArray[np.uint32]  # (h, w), track id a pixel, 0 = background; stable over time
-    table: npt.NDArray[np.void]  # (n,) of OBJECT_DTYPE: all live objects, also those without pixels
+    table: npt.NDArray[np.void]  # (n,) of OBJECT_DTYPE: all objects, also without pixels, and those just dropped
     _camera: npt.NDArray[np.void]
     _revised: npt.NDArray[np.void]
 

@@ -64,14 +64,17 @@ TEST(Threads, OneRunsInTheCallersThreadAndInOrder) {
   EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 3}));
 }
 
-TEST(Rounds, WhatWaitsComesLater) {
+TEST(Rounds, WhatTouchesComesInOrder) {
+  // On a line, each thing touches what is at most 1 away.
+  const std::vector<double> place{0, 5, 0.5, 1.2, 5.5, 9, 2.1};
   std::vector<int> rounds;
-  const std::vector<dot::Dependence> waits{{2, 0}, {3, 2}, {4, 1}, {6, 0}, {6, 3}};
-  EXPECT_EQ(dot::rounds_of(7, waits, rounds), 4);
+  const int count = dot::rounds_of(
+      place.size(), [&](std::size_t a, std::size_t b) { return std::abs(place[a] - place[b]) <= 1; }, rounds);
   EXPECT_EQ(rounds, (std::vector<int>{0, 0, 1, 2, 1, 0, 3}));
-  EXPECT_EQ(dot::rounds_of(3, {}, rounds), 1);
-  EXPECT_EQ(rounds, (std::vector<int>{0, 0, 0}));
-  EXPECT_EQ(dot::rounds_of(0, {}, rounds), 0);
+  EXPECT_EQ(count, 4);
+  EXPECT_EQ(dot::rounds_of(
+                0, [](std::size_t, std::size_t) { return true; }, rounds),
+            0);
 }
 
 /// All that a result says, as text.

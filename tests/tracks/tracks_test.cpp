@@ -40,6 +40,25 @@ TEST(Tracks, LendThePointsOfAPastFrameOnKnownObjects) {
   EXPECT_TRUE(street.tracks.points_of(first).empty()) << "what no network has shown is background";
 }
 
+// With a mask of the frame it is known where the nearer object is before its motion is; without, both are followed at
+// once, because they are far apart.
+TEST(Tracks, WhatANetworkShowsHidesWhatIsFartherAtOnce) {
+  StageStreet street;
+  const auto hidden = [&street] {
+    const auto& image = street.tracks.workers()[0].nearer.image();
+    int pixels = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) pixels += image(x, y) != 0;
+    return pixels;
+  };
+  street.next(true), street.next(true);
+  const Track *a = street.find(parked), *b = street.find(mover);
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(hidden(), (a->inverse_depth() > b->inverse_depth() ? a : b)->outline.mask.area);
+  street.next(false);
+  EXPECT_EQ(hidden(), 0);
+}
+
 TEST(Tracks, CarryOutlinesWhereNoMaskComes) {
   StageStreet street;
   for (int i = 0; i < 4; ++i) street.next(i == 0);

@@ -109,7 +109,7 @@ enum {
   DOT_REASON_HIDDEN = 13,             ///< neither predicted to be visible nor shown by a mask; or discovered, and no
                                       ///< longer confirmed to move
   DOT_REASON_CAMERA_LOST = 14,        ///< no camera motion, hence no object motion
-  DOT_REASON_LOST = 15,               ///< not seen for too long: dropped after this frame
+  DOT_REASON_LOST = 15,               ///< dropped: not seen for too long, or too many
   DOT_REASON_TOO_MANY_OBJECTS =
       16  ///< not among the largest, setting "object.max_fitted": predicted at its last velocity
 };
@@ -451,7 +451,7 @@ DOT_API dot_status dot_prepare(dot_tracker* tracker) DOT_NOEXCEPT;
 /// @param masks borrowed for the duration of the call.
 DOT_API dot_status dot_submit_masks(dot_tracker* tracker, uint64_t frame_id, const dot_masks* masks) DOT_NOEXCEPT;
 
-/// Number of live objects in the last result, including those without pixels.
+/// Number of objects in the last result, including those without pixels and those just dropped.
 DOT_API dot_status dot_object_count(dot_tracker* tracker, uint32_t* count) DOT_NOEXCEPT;
 
 /// Copies object `index` of the last result, 0 <= index < count. Sets all fields of `out` but struct_size.

@@ -148,6 +148,7 @@ class Discovery {
     Reference& r = history_.push_front();
     r.motion = {};
     r.timestamp = timestamp;
+    r.intensity_scale = 0;
     std::swap(r.frame, current_);
     r.standing = r.frame.q;
     r.discovered.resize(r.standing.width(), r.standing.height());

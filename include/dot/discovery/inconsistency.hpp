@@ -50,7 +50,7 @@ struct CellFrame {
 
 /// How much the depth of each cell of the new frame contradicts a static scene. It is the maximum over the references.
 struct Inconsistency {
-  Image<float> depth;     ///< sigma, of the measured depth with the predicted one; 0 where that is not farther
+  Image<float> depth;     ///< sigma, of the measured depth with the predicted one; 0 if it does not contradict
   Image<float> receding;  ///< 1/m per second: speed at which the last frame's surface there recedes, 0 if it does not
 
   /// Sets the size, and all cells to 0.
@@ -87,8 +87,8 @@ struct CellMotion {
 /// Both differences are to the nearest surface of 3x3 cells. This tolerates fattened edges and half a cell of error.
 /// They are divided by the sigma of the difference, s^2 = 2 pixel^2 + common^2 + (q^2 sigma_t)^2.
 ///
-/// Cells on the reference's surface or nearer can also be compared by intensity, see `photo`. That is done for cells
-/// about a contradiction alone. Only the scale of all residuals is needed for it, which some of the cells tell.
+/// Cells on the reference's surface or nearer can also be compared by intensity, see `photo`. That is done where
+/// it is asked for alone. Only the scale of all residuals is needed for it, which some of the cells tell.
 template <typename Camera, typename Noise>
 class InconsistencyTest {
  public:
@@ -220,7 +220,7 @@ class InconsistencyTest {
 
   /// Robust scale of the residuals of cells whose depth agrees. Grey values, at least one.
   float scale_of_residuals() {
-    if (magnitudes_.size() < 20) return 10;
+    if (magnitudes_.size() < 8) return 10;
     return std::max(1.f, static_cast<float>(kSigmaOfMedian) * median(magnitudes_.begin(), magnitudes_.end()));
   }
 

@@ -44,7 +44,7 @@ class LateMasks {
 
   /// Applies the masks of a past frame, which `observations` has counted, and moves all tracks to the present with
   /// them.
-  /// @param then one of `frames`. @param now timestamp of the newest frame.
+  /// @pre lost tracks were dropped. @param then one of `frames`. @param now timestamp of the newest frame.
   void apply(AwaitedFrames::const_iterator then, const Masks& masks, double now, const Stages& stages);
 
   /// Forgets these frames.

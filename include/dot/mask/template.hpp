@@ -14,6 +14,7 @@
 #include "dot/image/view.hpp"
 #include "dot/mask/mask.hpp"
 #include "dot/statistics/median.hpp"
+#include "dot/statistics/nth.hpp"
 
 DOT_BEGIN_NAMESPACE
 

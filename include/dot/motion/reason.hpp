@@ -24,7 +24,7 @@ enum class Reason : std::uint8_t {
   Hidden,            ///< it is neither predicted to be visible nor shown by a mask in this frame; or it was discovered,
                      ///< and is not confirmed to move any more
   CameraLost,        ///< no camera motion, hence no object motion
-  Lost,              ///< not seen for longer than Options::mask.keep_seconds: dropped after this frame
+  Lost,              ///< dropped: not seen for longer than Options::mask.keep_seconds, or one of too many
   TooManyObjects     ///< not among the Options::object.max_fitted largest: predicted at its last velocity
 };
 

@@ -113,7 +113,7 @@ struct Result {
   Span<CameraRevision> revised;  ///< earlier frames whose camera motion this frame proved to be wrong, the oldest first
   ImageView<const std::uint8_t> labels;  ///< State of each pixel
   ImageView<const std::uint32_t> ids;    ///< track id of each pixel, 0 = background
-  Span<ObjectResult> objects;            ///< all live tracks by id, including those without pixels
+  Span<ObjectResult> objects;            ///< by id: all tracks, including those without pixels and those just dropped
   int small_instances = 0;               ///< masks of this frame without a track that are too small to start one
   std::array<double, static_cast<int>(Stage::Count)> stage_ms{};  ///< milliseconds that each Stage took
 

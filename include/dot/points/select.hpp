@@ -52,7 +52,8 @@ struct SelectionWorkspace {
 };
 
 /// Semi-dense selection, as in direct odometry. In each cell of a grid over a box it takes the admitted pixel of
-/// strongest gradient, with the depth of the plane that fits the pixel's surroundings.
+/// strongest gradient (in a large cell, of every few rows), with the depth of the plane that fits the pixel's
+/// surroundings.
 ///
 /// A raw depth pixel has its own noise and, near an edge, the depth of another surface. The plane has neither. The
 /// error of n pixels averages like that of n / kCorrelatedArea independent ones, because stereo and interpolated depth

@@ -57,7 +57,7 @@ auto pivot(Iterator first, Iterator nth, Iterator last) {
 /// As std::nth_element, with the same postcondition: *nth is what it would be if all were sorted, no value before it is
 /// larger, none after it smaller. Three to five times as fast for a thousand numbers or more, because the processor has
 /// no branches to predict. The pivots are chosen as by Floyd and Rivest (Communications of the ACM, 1975).
-/// @pre first <= nth < last. The values are numbers; none is NaN.
+/// @pre first <= nth <= last. The values are numbers; none is NaN.
 template <typename Iterator>
 void sort_nth(Iterator first, Iterator nth, Iterator last) {
   using Value = typename std::iterator_traits<Iterator>::value_type;

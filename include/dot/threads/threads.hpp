@@ -46,18 +46,18 @@ struct Threads {
   }
 };
 
-/// A task, and an earlier one that it depends on, by their numbers.
-struct Dependence {
-  std::size_t task;     ///< the later one
-  std::size_t earlier;  ///< less than `task`
-};
-
-/// Assigns rounds to `n` tasks. Each is in the round after the last task that it waits for.
-/// @param waits in the order of the later tasks. @return the number of rounds; `rounds[i]` is that of the i-th task.
-inline int rounds_of(std::size_t n, const std::vector<Dependence>& waits, std::vector<int>& rounds) {
+/// Assigns rounds to `n` tasks. Each is in the round after the last earlier task that it waits for.
+/// @param waits waits(earlier, later) -> bool. @return the number of rounds; `rounds[i]` is that of the i-th task.
+template <typename Waits>
+int rounds_of(std::size_t n, Waits&& waits, std::vector<int>& rounds) {
   rounds.assign(n, 0);
-  for (const Dependence& d : waits) rounds[d.task] = std::max(rounds[d.task], rounds[d.earlier] + 1);
-  return n > 0 ? *std::max_element(rounds.begin(), rounds.end()) + 1 : 0;
+  int count = 0;
+  for (std::size_t later = 0; later < n; ++later) {
+    for (std::size_t earlier = 0; earlier < later; ++earlier)
+      if (rounds[earlier] >= rounds[later] && waits(earlier, later)) rounds[later] = rounds[earlier] + 1;
+    count = std::max(count, rounds[later] + 1);
+  }
+  return count;
 }
 
 DOT_END_NAMESPACE

@@ -30,7 +30,8 @@ class Tracks {
     OutlineWorkspace outline;           ///< of outlines
     MovingPart moving_part;             ///< of a discovered object
     PaintedImage<std::uint8_t> nearer;  ///< where objects are that are nearer than the one that is followed
-    std::size_t painted = 0;            ///< of these, number of those looked at, the nearest first
+    std::size_t painted = 0;            ///< so many were looked at, the nearest first
+    int round = 0;                      ///< in which those known were painted
   };
 
   /// The tracker of one object. @param noise may differ from the setup's. All arguments are borrowed.
@@ -127,7 +128,7 @@ class Tracks {
   void place(Track& t, const Interval& interval, const FramePtr& frame, bool segmented,
              const Discovery<Camera, Noise>& discovery, const Setup& setup, Worker& worker) const;
   void align_backwards(Track& t, const Interval& interval, const Setup& setup, Worker& worker) const;
-  void paint_nearer(std::size_t object, Worker& worker) const;
+  void paint_nearer(std::size_t object, int width, int height, Worker& worker) const;
   static bool may_touch(const Track& a, const Track& b);
   void choose_followed(int most);
   void drop_surplus(std::size_t most);
@@ -140,7 +141,6 @@ class Tracks {
   List selected_;                        ///< result of `that`
   std::vector<const PointSet*> points_;  ///< result of `points_of`
   List order_;                           ///< nearest first
-  std::vector<Dependence> waits_;        ///< which in `order_` waits for which
   std::vector<int> rounds_;              ///< for each in `order_`: the round that follows it
   std::vector<std::size_t> at_once_;     ///< places in `order_` of one round
 };

@@ -22,7 +22,8 @@ void strongest_of(const GradientStrip& strip, int threshold, int* keys) {
     const unsigned char* mask = strip.mask + row_of_image * strip.mask_stride;
     const float* q = nullptr;
     if constexpr (kMeasuredAlone)
-      q = reinterpret_cast<const float*>(reinterpret_cast<const unsigned char*>(strip.q) + row_of_image * strip.q_stride);
+      q = reinterpret_cast<const float*>(reinterpret_cast<const unsigned char*>(strip.q) +
+                                         row_of_image * strip.q_stride);
     const int row_bits = strip.row_bits(), of_row = strip.key(0, y);
     for (int x = 0; x < width; ++x) {
       // 16-bit products are faster.

@@ -83,11 +83,11 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   // T_c from the background of the previous frame, or the host's. Meanwhile the masks of the network are read.
   CameraStep camera_step;
   observations_.list.clear();
-  threads.run(2, [&](int, int task) {
+  threads.run(segmented ? 2 : 1, [&](int, int task) {
     if (task == 0) {
       camera_step = track_camera(frame, seconds);
       ends(Stage::Camera);
-    } else if (segmented) {
+    } else {
       observations_.read(*frame.masks, cur.inverse_depth(), camera_);
     }
   });

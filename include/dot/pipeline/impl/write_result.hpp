@@ -92,13 +92,13 @@ inline ObjectResult result_of(const Track& t) {
 
 }  // namespace writing
 
-/// Drops the lost objects. The next result names those that no result has called lost.
+/// Drops the lost objects. The next result names those that the last one has shown and not called lost.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::drop_lost() {
   for (const Track* t : tracks_.all()) {
     if (!t->lost || !t->is_reported()) continue;
     const ObjectResult* last = result_.find(t->identity.id);
-    if (!last || last->reason != Reason::Lost) dropped_.push_back(writing::last_result_of(*t));
+    if (last && last->reason != Reason::Lost) dropped_.push_back(writing::last_result_of(*t));
   }
   tracks_.drop_lost();
 }

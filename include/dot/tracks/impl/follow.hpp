@@ -14,7 +14,7 @@ DOT_BEGIN_NAMESPACE
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::prepare(const Aligner& aligner, const Threads& threads) {
   while (workers_.size() < static_cast<std::size_t>(std::max(1, threads.count)))
-    workers_.push_back({{aligner, {}, {}, {}, {}, {}}, {}, {}, {}, 0});
+    workers_.push_back({{aligner, {}, {}, {}, {}, {}}, {}, {}, {}, 0, 0});
 }
 
 /// The tracks for which `condition` holds, by id; valid until the next call.
@@ -94,35 +94,44 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(const List& tracks, cons
     const double a = l->inverse_depth(), b = r->inverse_depth();
     return a != b ? a > b : l->identity.id < r->identity.id;
   });
-  waits_.clear();
-  for (std::size_t object = 0; object < order_.size(); ++object)
-    for (std::size_t nearer = 0; nearer < object; ++nearer)
-      if (!order_[nearer]->segmented && may_touch(*order_[nearer], *order_[object])) waits_.push_back({object, nearer});
-  const int rounds = rounds_of(order_.size(), waits_, rounds_);
+  const auto waits = [&](std::size_t nearer, std::size_t object) {
+    return !order_[nearer]->segmented && may_touch(*order_[nearer], *order_[object]);
+  };
+  const int rounds = rounds_of(order_.size(), waits, rounds_);
+  for (Worker& w : workers_) w.painted = 0;
   for (int round = 0; round < rounds; ++round) {
     at_once_.clear();
     for (std::size_t i = 0; i < order_.size(); ++i)
       if (rounds_[i] == round) at_once_.push_back(i);
-    for (Worker& w : workers_) w.nearer.clear(setup.camera.width(), setup.camera.height()), w.painted = 0;
     setup.threads.run(static_cast<int>(at_once_.size()), [&](int thread, int i) {
       Worker& worker = workers_[static_cast<std::size_t>(thread)];
       const std::size_t object = at_once_[static_cast<std::size_t>(i)];
-      paint_nearer(object, worker);
+      paint_nearer(object, setup.camera.width(), setup.camera.height(), worker);
       follow(*order_[object], interval, observations, setup, worker);
     });
   }
 }
 
-/// Paints where the nearer objects are that are known: those that a network shows in this frame, because they are where
-/// their masks are, and those of earlier rounds. A worker gets the objects of a round with the nearest first, so that
-/// those already painted stay.
+/// Paints where the nearer objects are that are known by now: those that a network shows in this frame, because they
+/// are where their masks are, and those of earlier rounds. Of what the worker has painted before, all that is nearer
+/// stays.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Tracks<Camera, Classifier, Noise, Aligner>::paint_nearer(std::size_t object, Worker& worker) const {
-  for (std::size_t& nearer = worker.painted; nearer < object; ++nearer) {
-    const Track& t = *order_[nearer];
-    if (!t.segmented && rounds_[nearer] >= rounds_[object]) continue;
-    if (!t.candidacy.is_candidate && (t.motion.step.fit.ok() || t.observed)) worker.nearer.paint(t.newest_mask(), 255);
-  }
+void Tracks<Camera, Classifier, Noise, Aligner>::paint_nearer(std::size_t object, int width, int height,
+                                                              Worker& worker) const {
+  const auto is_known = [&](std::size_t nearer, int round) {
+    return order_[nearer]->segmented || rounds_[nearer] < round;
+  };
+  const auto paint = [&](std::size_t nearer) {
+    const Track& t = *order_[nearer];  // another thread may be following it, if it is observed
+    if (!t.candidacy.is_candidate && (t.observed || t.motion.step.fit.ok())) worker.nearer.paint(t.newest_mask(), 255);
+  };
+  const int round = rounds_[object];
+  if (worker.painted == 0 || object < worker.painted) worker.nearer.clear(width, height), worker.painted = 0;
+  for (std::size_t nearer = 0; nearer < worker.painted; ++nearer)
+    if (!is_known(nearer, worker.round) && is_known(nearer, round)) paint(nearer);
+  for (; worker.painted < object; ++worker.painted)
+    if (is_known(worker.painted, round)) paint(worker.painted);
+  worker.round = round;
 }
 
 /// Whether one object may hide a part of the other. Compares their predicted and observed outlines, with a margin for

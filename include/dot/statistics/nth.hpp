@@ -11,7 +11,7 @@
 #include "dot/abi.hpp"
 
 DOT_BEGIN_NAMESPACE
-
+/// Parts of `sort_nth`.
 namespace nth_sorting {
 
 constexpr std::ptrdiff_t kSample = 15;  ///< values that choose a pivot, at most

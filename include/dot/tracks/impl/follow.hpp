@@ -122,7 +122,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::paint_nearer(std::size_t object
     return order_[nearer]->segmented || rounds_[nearer] < round;
   };
   const auto paint = [&](std::size_t nearer) {
-    const Track& t = *order_[nearer];  // another thread may be following it, if it is observed
+    const Track& t = *order_[nearer];  // if it is segmented, another thread may be following it
     if (!t.candidacy.is_candidate && (t.observed || t.motion.step.fit.ok())) worker.nearer.paint(t.newest_mask(), 255);
   };
   const int round = rounds_[object];

@@ -47,7 +47,7 @@ class CameraStatus(IntEnum):
 
 
 class Suspicion(IntEnum):
-    """What may be wrong with the input, the gravest first; its figure is CameraResult.suspicion_figure."""
+    """What may be wrong with the input, its figure is CameraResult.suspicion_figure."""
 
     NONE = 0
     IMPLAUSIBLE_TIMES = 1  # steps between frames that no camera has; the last one, seconds
@@ -56,6 +56,9 @@ class Suspicion(IntEnum):
     TOO_LITTLE_TEXTURE = 4  # too few points to track; share of the last frames, 0 to 1
     IMPLAUSIBLE_DEPTH = 5  # its unit may be wrong; the typical depth, metres
     DEPTH_OUT_OF_STEP = 6  # depth of another frame; frames by which it is late, negative: early
+    MASKS_COVER_IMAGE = 7  # masks leave too few points to track; share of the image that they cover, 0 to 1
+    SATURATED_DEPTH = 8  # depth cut off at a largest value instead of missing; share of the pixels, 0 to 1
+    FIXED_PART = 9  # a part of the image that does not move with the scene; share of the image, 0 to 1
 
 
 class DepthSource(IntEnum):

@@ -161,6 +161,7 @@ TEST(Watch, TakesImagesTooSmallToTell) {
 TEST(Suspicion, HasNames) {
   EXPECT_STREQ(dot::to_string(Suspicion::None), "");
   EXPECT_STREQ(dot::to_string(Suspicion::DepthOutOfStep), "depth_out_of_step");
+  EXPECT_STREQ(dot::to_string(Suspicion::FixedPart), "fixed_part");
 }
 
 }  // namespace

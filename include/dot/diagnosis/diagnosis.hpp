@@ -6,7 +6,7 @@
 
 namespace dot {
 
-/// What may be wrong with the input, the gravest first. With each its figure.
+/// What may be wrong with the input. With each its figure.
 enum class Suspicion : std::uint8_t {
   None,              ///< nothing; figure 0
   ImplausibleTimes,  ///< steps between frames that no camera has; the last one, seconds
@@ -14,7 +14,10 @@ enum class Suspicion : std::uint8_t {
   TooLittleDepth,    ///< share of the pixels with depth, 0 to 1, if there are too few points to track
   TooLittleTexture,  ///< share of frames with too few points to track though they have depth, 0 to 1
   ImplausibleDepth,  ///< depths that no scene has, so that their unit may be wrong; the typical one, metres
-  DepthOutOfStep     ///< depth that is of another frame than the image; frames by which it is late, negative: early
+  DepthOutOfStep,    ///< depth that is of another frame than the image; frames by which it is late, negative: early
+  MasksCoverImage,   ///< masks that leave too few background points to track; the share that they cover, 0 to 1
+  SaturatedDepth,    ///< depth that is cut off at a largest value instead of missing; share of the pixels, 0 to 1
+  FixedPart          ///< a part of the image that does not move with the scene; share of the image, 0 to 1
 };
 
 /// Name of a suspicion, lower case with underscores; empty for None.
@@ -25,8 +28,11 @@ constexpr const char* to_string(Suspicion suspicion) {
                                    "too_little_depth",
                                    "too_little_texture",
                                    "implausible_depth",
-                                   "depth_out_of_step"};
-  return suspicion <= Suspicion::DepthOutOfStep ? names[static_cast<int>(suspicion)] : "?";
+                                   "depth_out_of_step",
+                                   "masks_cover_image",
+                                   "saturated_depth",
+                                   "fixed_part"};
+  return suspicion <= Suspicion::FixedPart ? names[static_cast<int>(suspicion)] : "?";
 }
 
 /// What the tracker suspects of its input. It says so of the last frames, and takes it back when they are better.

@@ -17,6 +17,7 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
   flicker       brightness that jumps by up to a quarter and 10 grey values from frame to frame
   noise         noise of 8 grey values
   dark          a quarter of the brightness, noise of 1.5 grey values
+  shake         a camera that is jolted: each frame is turned by some 2 degrees about each axis
   near          no depth beyond 20 m
   bias          disparities wrong by up to a pixel at the borders, as from a stereo pair calibrated badly
   lidar64, lidar32, lidar16
@@ -111,6 +112,32 @@ def at_edges(depth, image):
     return np.where(cv2.dilate(strong, np.ones((3, 3))) > 0, depth, 0).astype(depth.dtype)
 
 
+def jolt(frame):
+    """Rotation from a frame's camera to that of the shaken one. The first frame, whose camera is the world, stays."""
+    turn = np.random.default_rng(frame).normal(0, np.radians(2), 3) * (frame > 0)
+    return cv2.Rodrigues(turn)[0]
+
+
+def turned(image, folder, R, intrinsics):
+    """The image of a camera turned by R. What it sees beyond the old image's border is mirrored at it."""
+    fx, fy, cx, cy = intrinsics[:4]
+    K = np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]])
+    H = K @ R @ np.linalg.inv(K)
+    size = image.shape[1], image.shape[0]
+    if folder == "rgb":
+        return cv2.warpPerspective(image, H, size, flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_REFLECT)
+    values = image.astype(np.float32)
+    if folder.startswith("depth"):
+        v, u = np.indices(image.shape)
+        values *= ((u - cx) / fx * R[2, 0] + (v - cy) / fy * R[2, 1] + R[2, 2]).astype(np.float32)
+    return np.round(cv2.warpPerspective(values, H, size, flags=cv2.INTER_NEAREST)).astype(image.dtype)
+
+
+def shaken(pose, R):
+    T = np.array(pose, float).reshape(3, 4)
+    return [f"{v:.9g}" for v in np.hstack([T[:, :3] @ R.T, T[:, 3:]]).ravel()]
+
+
 def thinned(depth, kind, frame, sequence, intrinsics, random):
     """The depth of a frame by another sensor."""
     if kind in BEAMS:
@@ -193,6 +220,8 @@ def make(kind, out, sequence):
                 image = cv2.imread(path, cv2.IMREAD_UNCHANGED)
                 if name == "depth" and kind in (*BEAMS, "holes50", "edges"):
                     image = thinned(image, kind, int(stem), sequence, intrinsics, random)
+                elif kind == "shake":
+                    image = turned(image, name, jolt(int(stem)), intrinsics)
                 else:
                     image = changed(image, name, kind, random, intrinsics[0] * intrinsics[6])
                 cv2.imwrite(f"{target}.png", np.ascontiguousarray(image), [cv2.IMWRITE_PNG_COMPRESSION, 1])
@@ -216,13 +245,15 @@ def make(kind, out, sequence):
             frame = int(v[0]) if before else frames[i]
             if frame in number:
                 pose = mirrored(v[before:]) if kind == "mirror" else v[before:]
+                if kind == "shake" and not before:
+                    pose = shaken(pose, jolt(frame))
                 poses.append((number[frame], ([str(number[frame])] + v[1:before] if before else []) + pose))
         with open(f"{folder}/{name}", "w") as g:
             g.writelines(" ".join(words) + "\n" for _, words in sorted(poses, key=lambda pose: pose[0]))
 
 
 def main():
-    kinds = "half third mirror crop slow reverse late skip1 skip2 skip3 flicker noise dark near bias"
+    kinds = "half third mirror crop slow reverse late skip1 skip2 skip3 flicker noise dark shake near bias"
     kinds += " lidar64 lidar32 lidar16 holes50 edges"
     if len(sys.argv) < 4 or sys.argv[1] not in kinds.split():
         sys.exit(__doc__)

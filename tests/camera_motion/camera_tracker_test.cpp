@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
+#include <random>
 
 #include "support/stage_film.hpp"
 
@@ -60,6 +62,25 @@ TEST(CameraTracker, MeasuresTheMotionBetweenTwoFrames) {
     EXPECT_LT(drive.error(step), 5e-3);
     EXPECT_NEAR(step.seconds, 0.1, kClockError);
     EXPECT_GT(step.covariance.trace(), 0);
+  }
+}
+
+// A camera that is shaken: from frame to frame it turns by up to 5 degrees otherwise than before. From constant
+// velocity the alignment ends in a wrong minimum, whose correlation is high enough to be accepted.
+TEST(CameraTracker, FollowsJolts) {
+  Drive drive;
+  drive.film.camera_path = [](double t) {
+    std::minstd_rand bits(static_cast<unsigned>(std::lround(10 * t)) + 3);
+    bits.discard(5);
+    std::uniform_real_distribution<double> angle(-0.045, 0.045);  // rad
+    const Vector3<double> turn(angle(bits), angle(bits), angle(bits));
+    return SE3d{dot::so3::exp(t < 0.25 ? Vector3<double>::Zero().eval() : turn), {0.2 * t, 0, t}};
+  };
+  for (int i = 0; i < 20; ++i) {
+    const CameraStep step = drive.next();
+    if (i == 0) continue;
+    ASSERT_EQ(step.status, CameraStatus::Tracked) << i;
+    EXPECT_LT(drive.error(step), 5e-3) << i << ": correlation " << step.alignment.phi;
   }
 }
 

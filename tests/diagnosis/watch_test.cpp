@@ -45,6 +45,7 @@ struct Setting {
   double scale = 1;
   bool few_points = false;
   bool no_depth = false;
+  double masked = 0;
 };
 
 Diagnosis look(const Setting& setting, int frames = 40) {
@@ -57,7 +58,7 @@ Diagnosis look(const Setting& setting, int frames = 40) {
     frame.repeats = again;
     frame.depth.levels[0] = scene(100 + (again ? i - 1 : i) - setting.depth_late, setting.scale).depth.levels[0];
     if (setting.no_depth) frame.depth.levels[0].fill(0);
-    last = watch.look(frame, noise, i > 0 ? setting.seconds : 0, 1, setting.few_points);
+    last = watch.look(frame, noise, i > 0 ? setting.seconds : 0, 1, setting.few_points, setting.masked);
   }
   return last;
 }
@@ -122,6 +123,20 @@ TEST(Watch, TellsLittleTextureFromLittleDepth) {
 }
 
 // A lidar that is slower than the camera: the frames with depth have enough of everything.
+TEST(Watch, NoticesMasksThatLeaveNoBackground) {
+  Setting setting;
+  setting.masked = 0.97;
+  EXPECT_EQ(look(setting).reason, Suspicion::None) << "there are points beside them";
+  setting.few_points = true;
+  EXPECT_EQ(look(setting).reason, Suspicion::MasksCoverImage);
+  EXPECT_EQ(look(setting).figure, 0.97);
+  setting.masked = 0.3;
+  EXPECT_EQ(look(setting).reason, Suspicion::TooLittleTexture);
+  setting.masked = 0.97;
+  setting.no_depth = true;
+  EXPECT_EQ(look(setting).reason, Suspicion::TooLittleDepth);
+}
+
 TEST(Watch, TellsLittleTextureFromDepthThatComesWithSomeFrames) {
   dot::Watch watch;
   const dot::DepthNoise noise(dot::DepthNoiseSettings{}, dot::Intrinsics{300, 300, 160, 120, kWidth, kHeight, 0});

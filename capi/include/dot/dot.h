@@ -116,7 +116,8 @@ enum {
 
 /// dot_camera_result.status.
 enum {
-  DOT_CAMERA_FIRST_FRAME = 0,       ///< no reference: T_cur_prev is the identity without meaning
+  DOT_CAMERA_FIRST_FRAME = 0,       ///< no reference: T_cur_prev is the identity without meaning; after a gap in time
+                                    ///< covariance is that of a motion of which only the limits are known
   DOT_CAMERA_TRACKED = 1,           ///< estimated from the image
   DOT_CAMERA_FROM_HOST = 2,         ///< dot_frame.camera_motion
   DOT_CAMERA_TOO_LITTLE_DEPTH = 3,  ///< T_cur_prev is a guess: the prior, or constant velocity

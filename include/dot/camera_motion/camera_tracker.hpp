@@ -12,6 +12,7 @@
 #include "dot/camera_motion/depth_learning.hpp"
 #include "dot/camera_motion/estimator.hpp"
 #include "dot/camera_motion/first_intervals.hpp"
+#include "dot/camera_motion/usual_correlation.hpp"
 #include "dot/frame/frame.hpp"
 #include "dot/frame/frame_data.hpp"
 #include "dot/mask/painted_image.hpp"
@@ -72,6 +73,7 @@ class CameraTracker {
     bias_learning_.forget();
     velocity_known_ = false;
     velocity_.setZero();
+    correlation_ = {};
   }
 
  private:
@@ -88,6 +90,7 @@ class CameraTracker {
   Background background_;
   Vector6<double> velocity_ = Vector6<double>::Zero();  ///< twist per second
   bool velocity_known_ = false;                         ///< whether it is of the last interval
+  UsualCorrelation correlation_;
   FirstIntervals first_intervals_;
   std::vector<RevisedInterval> revised_;
   DepthLearning depth_learning_;

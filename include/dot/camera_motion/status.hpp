@@ -8,7 +8,8 @@ namespace dot {
 
 /// How the camera's motion over the last interval was found.
 enum class CameraStatus : std::uint8_t {
-  FirstFrame,      ///< no reference yet, or references dropped: T_cur_prev is the identity without meaning
+  FirstFrame,      ///< no reference yet, or references dropped: T_cur_prev is the identity without meaning; after a
+                   ///< gap in time its covariance is that of a motion of which only the limits are known
   Tracked,         ///< estimated from the image
   FromHost,        ///< taken from Frame::camera_motion
   TooLittleDepth,  ///< no earlier frame had enough background points with depth; T_cur_prev is a guess: the host's

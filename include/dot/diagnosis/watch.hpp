@@ -16,9 +16,11 @@ DOT_BEGIN_NAMESPACE
 class Watch {
  public:
   /// @param noise of the depth. @param seconds since the frame before, 0 for the first. @param max_gap of the frames,
-  /// seconds. @param too_few_points for the next frame's camera motion.
+  /// seconds. @param too_few_points for the next frame's camera motion. @param masked share of the image that objects
+  /// cover, 0 to 1; used if there are too few points.
   template <typename Noise>
-  Diagnosis look(const FrameData& frame, const Noise& noise, double seconds, double max_gap, bool too_few_points) {
+  Diagnosis look(const FrameData& frame, const Noise& noise, double seconds, double max_gap, bool too_few_points,
+                 double masked = 0) {
     const std::size_t level = frame.pyramid.size() > 1 ? 1 : 0;
     const bool first = !(seconds > 0);
     if (first || seconds > max_gap) step_.clear();
@@ -37,12 +39,16 @@ class Watch {
     const bool little_depth = too_few_points && measured < kLittleDepth;
     no_depth_.add(little_depth);
     if (little_depth) little_depth_ = measured;
+    const bool covered = too_few_points && masked > kMasked;
+    covered_.add(covered);
+    if (covered) masked_ = masked;
 
     if (gaps_.share() > 0.5) return {Suspicion::ImplausibleTimes, seconds};
     if (repeats_.share() >= kRepeats) return {Suspicion::RepeatedImages, repeats_.share()};
     if (few_points_.share() > 0.5) {
       // Depth may come with some of the frames alone, so that this frame does not tell what the others lack.
       if (no_depth_.share() > 0.5 * few_points_.share()) return {Suspicion::TooLittleDepth, little_depth_};
+      if (covered_.share() > 0.5 * few_points_.share()) return {Suspicion::MasksCoverImage, masked_};
       return {Suspicion::TooLittleTexture, few_points_.share()};
     }
     const double depth = step_.mean_inverse_depth() > 0 ? 1 / step_.mean_inverse_depth() : 1;
@@ -54,7 +60,7 @@ class Watch {
   /// Starts afresh, as at the first frame.
   void forget() noexcept {
     step_.clear();
-    gaps_ = repeats_ = few_points_ = no_depth_ = {};
+    gaps_ = repeats_ = few_points_ = no_depth_ = covered_ = {};
     run_ = 0;
   }
 
@@ -81,11 +87,13 @@ class Watch {
   static constexpr double kShortestStep = 5e-4;  ///< seconds
   static constexpr double kRepeats = 0.12;       ///< share of repeated images that disturbs
   static constexpr double kLittleDepth = 0.05;   ///< share of the pixels
+  static constexpr double kMasked = 0.6;         ///< share of the image: with so much covered, masks are the cause
   static constexpr double kFarthest = 150, kNearest = 0.1;  ///< metres, harmonic mean
 
   DepthStep step_;
-  Share gaps_, repeats_, few_points_, no_depth_;
+  Share gaps_, repeats_, few_points_, no_depth_, covered_;
   double little_depth_ = 0;  ///< share of the pixels with depth in the last frame that had too little
+  double masked_ = 0;        ///< share that objects covered in the last frame that had no room for points beside them
   int run_ = 0;              ///< FrameData::repeats of the newest frame
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "dot/abi.hpp"
@@ -50,6 +51,12 @@ class PaintedImage {
   Image<T>& image() { return image_; }
   /// The pixels. Those outside of `boxes` are zero.
   const Image<T>& image() const { return image_; }
+  /// Share of the pixels that are not zero, 0 to 1.
+  double share() const {
+    const T* first = image_.row(0);
+    const auto size = static_cast<std::ptrdiff_t>(image_.width()) * image_.height();
+    return size > 0 ? 1 - static_cast<double>(std::count(first, first + size, T{0})) / static_cast<double>(size) : 0;
+  }
   /// The boxes of all that was painted. They may overlap.
   const std::vector<Box>& boxes() const { return boxes_; }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 
 /// @file
@@ -22,6 +23,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   if (seconds <= 0) {
     velocity_known_ = false;
     first_intervals_.clear();
+    if (prev) step.covariance = covariance_of_guess(estimator.settings, cur.timestamp - prev->timestamp);
     return step;
   }
   first_intervals_.keep_frame(prev);
@@ -93,13 +95,17 @@ bool CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
   const CameraSearch search{s.search_speed * step.seconds, s.search_turn * step.seconds, prev->pyramid, T_prev_points};
   align(velocity_known_ ? nullptr : &search);
   bool ok = estimator.accepts(step.alignment, velocity_known_ || expected), searched = !velocity_known_;
-  if (!ok && velocity_known_) {  // the camera's velocity changed
+  if (velocity_known_ && (!ok || correlation_.has_dropped(step.alignment.phi))) {  // the camera's velocity changed
+    const Alignment predicted = step.alignment;
     align(&search);
-    ok = estimator.accepts(step.alignment, false);
-    searched = true;
+    searched = estimator.accepts(step.alignment, false) &&
+               (!ok || UsualCorrelation::is_much_better(step.alignment.phi, predicted.phi));
+    if (!searched) step.alignment = predicted;
+    ok = ok || searched;
   }
   step.status = ok ? CameraStatus::Tracked : CameraStatus::Lost;
-  if (!ok) return searched;
+  if (!ok) return true;
+  correlation_.add(step.alignment.phi);
   step.T_cur_prev = step.alignment.state.T * T_prev_points.inverse();
   step.covariance = s.covariance_scale * step.alignment.covariance.template topLeftCorner<6, 6>();
   return searched;
@@ -109,7 +115,9 @@ bool CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
 template <typename Camera, typename Noise, typename Aligner>
 Matrix6<double> CameraTracker<Camera, Noise, Aligner>::covariance_of_guess(const CameraSettings& settings,
                                                                            double seconds) {
-  const double metres = settings.search_speed * seconds, radians = settings.search_turn * seconds;
+  constexpr double kHalfTurn = 3.14159265358979323846;
+  const double metres = settings.search_speed * seconds;
+  const double radians = std::min(settings.search_turn * seconds, kHalfTurn);
   Matrix6<double> covariance = Matrix6<double>::Zero();
   covariance.diagonal() << Vector3<double>::Constant(metres * metres / 3),
       Vector3<double>::Constant(radians * radians / 3);

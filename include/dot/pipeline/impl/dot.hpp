@@ -128,7 +128,8 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Dot<Camera, Classifier, Noise, Aligner>::prepare_next(const CameraStep& camera_step, bool segmented) {
   remember(camera_step);
   const double step = previous_ ? current_->timestamp - previous_->timestamp : 0;
-  result_.diagnosis = watch_.look(*current_, depth_noise, step, options_.max_gap, result_.too_little_depth);
+  const double masked = result_.too_little_depth ? labeller_.labels().share() : 0;
+  result_.diagnosis = watch_.look(*current_, depth_noise, step, options_.max_gap, result_.too_little_depth, masked);
   late_masks_.await(current_, camera_step, segmented, options_.mask, tracks_.all());
   result_.stage_ms[static_cast<std::size_t>(Stage::Points)] = stopwatch_.lap();
 }

@@ -165,7 +165,7 @@ TEST(PinholeArguments, BadOnesAreNamed) {
     EXPECT_EQ(with(&Intrinsics::cy, bad), "intrinsics.cy must be finite, at most 1e6 pixels");
   }
   for (const double bad : {-0.1, nan, infinity, 1e-300, 1e5})
-    EXPECT_EQ(with(&Intrinsics::baseline, bad), "intrinsics.baseline must be 0 or 1e-4 to 1e3 metres");
+    EXPECT_EQ(with(&Intrinsics::baseline, bad), "intrinsics.baseline must be 0 or 1e-4 to 10 metres");
   for (const int bad : {15, 0, -640, 1 << 30}) {
     Intrinsics changed = street;
     changed.width = bad;

@@ -23,8 +23,8 @@ inline void validate(const Intrinsics& camera) {
   require(std::abs(camera.cy) <= 1e6, "intrinsics.cy must be finite, at most 1e6 pixels");
   require(camera.width >= 16 && camera.width <= 32768, "intrinsics.width must be 16 to 32768");
   require(camera.height >= 16 && camera.height <= 32768, "intrinsics.height must be 16 to 32768");
-  require(camera.baseline == 0 || (camera.baseline >= 1e-4 && camera.baseline <= 1e3),
-          "intrinsics.baseline must be 0 or 1e-4 to 1e3 metres");
+  require(camera.baseline == 0 || (camera.baseline >= 1e-4 && camera.baseline <= 10),
+          "intrinsics.baseline must be 0 or 1e-4 to 10 metres");
 }
 
 /// Intrinsics of a level of the pyramid of 2x2 means; a pixel u of level 0 is at (u + 0.5) / 2^level - 0.5 there.

@@ -19,7 +19,7 @@ constexpr int largest_number = 999999999;       ///< of a frame
 constexpr int largest_id = 65535;               ///< of an object: images of ids have 16 bits
 constexpr Range focal_lengths{1, 1e6};          ///< pixels
 constexpr Range principal_points{-1e5, 1e5};    ///< pixels; a cropped image's may lie outside of it
-constexpr Range baselines{0, 1000};             ///< metres
+constexpr Range baselines{0, 10};               ///< metres
 constexpr Range frame_rates{1e-3, 1e5};         ///< per second
 constexpr Range positions{-1e9, 1e9};           ///< metres; those on a map of the earth reach 2e7
 constexpr Range times{-1e11, 1e11};             ///< seconds; more are of another unit

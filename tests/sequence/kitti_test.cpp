@@ -121,7 +121,7 @@ TEST(KittiOdometry, CalibrationsThatAreNone) {
                      {"calib_skew", "P2: 100 5 3 0 9 100 2 0 3 3 7 0\n" + right, ":1: P2" + shape},
                      {"singular", right + "P2: 100 0 3 6 0 100 2 0 0 0 0 0\n", ":2: P2" + shape},
                      {"calib_neg_baseline", "P2: 100 0 3 0 0 100 2 0 0 0 1 0\nP3: 100 0 3 50 0 100 2 0 0 0 1 0\n",
-                      ":2: the baseline from P2 to P3 is -0.5, must be from 0 to 1000"},
+                      ":2: the baseline from P2 to P3 is -0.5, must be from 0 to 10"},
                      {"far apart", "P2: 100 0 3 1e300 0 100 2 0 0 0 1 0\n" + right,
                       ":1: x is 1e+298, must be from -1000000000 to 1000000000"},
                      {"not a pair", right + "P2: 100 0 4 6 0 100 2 0 0 0 1 0\n",

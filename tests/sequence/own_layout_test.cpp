@@ -39,7 +39,7 @@ TEST(OwnLayout, ImplausibleIntrinsics) {
        {"width too large", "36 36 2.5 1.5 65536 4 0.5 10",
         ":1: width is 65536, must be a whole number from 1 to 65535"},
        {"half a pixel", "36 36 2.5 1.5 6 3.5 0.5 10", ":1: height is 3.5, must be a whole number from 1 to 65535"},
-       {"negative baseline", "36 36 2.5 1.5 6 4 -0.5 10", ":1: baseline is -0.5, must be from 0 to 1000"},
+       {"negative baseline", "36 36 2.5 1.5 6 4 -0.5 10", ":1: baseline is -0.5, must be from 0 to 10"},
        {"fps_huge", "36 36 2.5 1.5 6 4 0.5 1e300", ":1: fps is 1e+300, must be from 0.001 to 100000"},
        {"fps_tiny", "36 36 2.5 1.5 6 4 0.5 1e-300", ":1: fps is 1e-300, must be from 0.001 to 100000"},
        {"nul_number", "36\0junk 36 2.5 1.5 6 4 0.5 10"s, ":1: fx '36?junk' is not a number"},

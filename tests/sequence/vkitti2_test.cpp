@@ -128,7 +128,7 @@ TEST(Vkitti2, ExtrinsicsThatAreNone) {
        {"extr_1e300", header + "1e300 0 1 0 0 0 0 1 0 0 0 0 1 0\n" + left,
         ":2: frame is 1e+300, must be a whole number from 0 to 999999999"},
        {"cameras swapped", header + left + "0 1 1 0 0 0.5 0 1 0 0 0 0 1 0\n",
-        ":4: the baseline from camera 0 to camera 1 is -0.5, must be from 0 to 1000"},
+        ":4: the baseline from camera 0 to camera 1 is -0.5, must be from 0 to 10"},
        {"cut", header + left + "1 0 1 0 0\n", ":4: has no t1"}});
 }
 

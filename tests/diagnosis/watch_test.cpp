@@ -45,6 +45,7 @@ struct Setting {
   double scale = 1;
   bool few_points = false;
   bool no_depth = false;
+  double saturated = 0;
 };
 
 Diagnosis look(const Setting& setting, int frames = 40) {
@@ -57,7 +58,7 @@ Diagnosis look(const Setting& setting, int frames = 40) {
     frame.repeats = again;
     frame.depth.levels[0] = scene(100 + (again ? i - 1 : i) - setting.depth_late, setting.scale).depth.levels[0];
     if (setting.no_depth) frame.depth.levels[0].fill(0);
-    last = watch.look(frame, noise, i > 0 ? setting.seconds : 0, 1, setting.few_points);
+    last = watch.look(frame, noise, i > 0 ? setting.seconds : 0, 1, setting.few_points, setting.saturated);
   }
   return last;
 }
@@ -134,6 +135,16 @@ TEST(Watch, TellsLittleTextureFromDepthThatComesWithSomeFrames) {
     EXPECT_EQ(diagnosis.reason, Suspicion::TooLittleDepth) << i;
     EXPECT_EQ(diagnosis.figure, 0) << i;
   }
+}
+
+TEST(Watch, NoticesDepthThatIsCutOff) {
+  Setting setting;
+  setting.saturated = 0.3;
+  EXPECT_EQ(look(setting, 7).reason, Suspicion::None);
+  EXPECT_EQ(look(setting).reason, Suspicion::SaturatedDepth);
+  EXPECT_EQ(look(setting).figure, 0.3);
+  setting.repeat_every = 4;
+  EXPECT_EQ(look(setting).reason, Suspicion::RepeatedImages);
 }
 
 TEST(Watch, ForgetsOnRequest) {

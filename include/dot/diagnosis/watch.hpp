@@ -16,9 +16,11 @@ DOT_BEGIN_NAMESPACE
 class Watch {
  public:
   /// @param noise of the depth. @param seconds since the frame before, 0 for the first. @param max_gap of the frames,
-  /// seconds. @param too_few_points for the next frame's camera motion.
+  /// seconds. @param too_few_points for the next frame's camera motion. @param saturated share of the pixels that
+  /// DepthSaturation left out.
   template <typename Noise>
-  Diagnosis look(const FrameData& frame, const Noise& noise, double seconds, double max_gap, bool too_few_points) {
+  Diagnosis look(const FrameData& frame, const Noise& noise, double seconds, double max_gap, bool too_few_points,
+                 double saturated = 0) {
     const std::size_t level = frame.pyramid.size() > 1 ? 1 : 0;
     const bool first = !(seconds > 0);
     if (first || seconds > max_gap) step_.clear();
@@ -37,6 +39,8 @@ class Watch {
     const bool little_depth = too_few_points && measured < kLittleDepth;
     no_depth_.add(little_depth);
     if (little_depth) little_depth_ = measured;
+    saturated_.add(saturated > 0);
+    if (saturated > 0) saturated_share_ = saturated;
 
     if (gaps_.share() > 0.5) return {Suspicion::ImplausibleTimes, seconds};
     if (repeats_.share() >= kRepeats) return {Suspicion::RepeatedImages, repeats_.share()};
@@ -48,13 +52,14 @@ class Watch {
     const double depth = step_.mean_inverse_depth() > 0 ? 1 / step_.mean_inverse_depth() : 1;
     if (depth > kFarthest || depth < kNearest) return {Suspicion::ImplausibleDepth, depth};
     if (const int lag = step_.lag(); lag != 0) return {Suspicion::DepthOutOfStep, static_cast<double>(lag)};
+    if (saturated_.share() > 0.5) return {Suspicion::SaturatedDepth, saturated_share_};
     return {};
   }
 
   /// Starts afresh, as at the first frame.
   void forget() noexcept {
     step_.clear();
-    gaps_ = repeats_ = few_points_ = no_depth_ = {};
+    gaps_ = repeats_ = few_points_ = no_depth_ = saturated_ = {};
     run_ = 0;
   }
 
@@ -84,9 +89,10 @@ class Watch {
   static constexpr double kFarthest = 150, kNearest = 0.1;  ///< metres, harmonic mean
 
   DepthStep step_;
-  Share gaps_, repeats_, few_points_, no_depth_;
-  double little_depth_ = 0;  ///< share of the pixels with depth in the last frame that had too little
-  int run_ = 0;              ///< FrameData::repeats of the newest frame
+  Share gaps_, repeats_, few_points_, no_depth_, saturated_;
+  double little_depth_ = 0;     ///< share of the pixels with depth in the last frame that had too little
+  double saturated_share_ = 0;  ///< of the pixels, in the last frame that had any
+  int run_ = 0;                 ///< FrameData::repeats of the newest frame
 };
 
 DOT_END_NAMESPACE

@@ -33,6 +33,11 @@ def missing(size, clean):
     return 100 * (before + (1 - before) * float(size) / 100)
 
 
+def beyond(size, clean):
+    """Of the pixels that have depth."""
+    return (100 - float(size)) * clean["depth-sparse"]["figure"] / 100
+
+
 # Of each fault: the name that it has in the report, the sizes to try, the true figure (None: it need only be named).
 TRIALS = {
     "depth-unit": ("depth-unit", ["mm", "5000", "cm"], lambda s, c: {"mm": 1000, "5000": 5000, "cm": 100}[s] / 256),
@@ -53,6 +58,7 @@ TRIALS = {
     "blur": ("motion-blur", ["5", "9", "15"], same),
     "bands": ("brightness-bands", ["5", "10", "20"], same),
     "depth-sparse": ("depth-sparse", ["1", "3", "10"], same),
+    "depth-saturated": ("depth-saturated", ["95", "85", "70"], beyond),
     "texture": ("texture-low", ["5", "10", "20"], texture),
     "hood": ("fixed-part", ["10", "20", "30"], lambda s, c: float(s) * (1 - 0.25 / 3)),
 }

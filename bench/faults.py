@@ -235,6 +235,13 @@ def depth_sparse(s, size):
     s.change["depth"] = change
 
 
+def depth_saturated(s, size):
+    """depth cut off at a largest value: the depth under which so many per cent of the measured pixels are"""
+    depths = np.concatenate([z[z > 0] for z in (s.read("depth", i)[::4, ::4] for i in range(len(s.frames)))])
+    farthest = int(np.percentile(depths, float(size)))
+    s.change["depth"] = lambda z, i: np.minimum(z, farthest)
+
+
 def texture(s, size):
     """contrast of the image only so many per cent, noise of a grey value"""
     random = np.random.default_rng(1)
@@ -270,7 +277,7 @@ FAULTS = {
     "baseline": baseline, "rows": rows, "bias": bias, "masks-late": masks_late, "masks-size": masks_size,
     "masks-values": masks_values, "masks-missing": masks_missing, "time-unit": time_unit, "dropped": dropped,
     "dropped-silently": dropped_silently, "twice": twice, "depth-twice": depth_twice, "exposure": exposure, "blur": blur, "bands": bands,
-    "depth-sparse": depth_sparse, "texture": texture, "hood": hood,
+    "depth-sparse": depth_sparse, "depth-saturated": depth_saturated, "texture": texture, "hood": hood,
 }
 
 

@@ -42,7 +42,7 @@ std::optional<Comb> line_near(const Samples& samples, double per_pixel, double f
     for (int y = 0; y < frame.depth.rows; y += 2) {
       const auto* raw = frame.depth.ptr<std::uint16_t>(y);
       for (int x = 0; x < frame.depth.cols; ++x) {
-        if (raw[x] == 0 || raw[x] == 65535) continue;
+        if (raw[x] == 0) continue;
         const double disparity = fx_baseline * samples.recording.depth_units_per_metre / raw[x];
         if (disparity / raw[x] * per_pixel * width > finely) continue;
         disparities.push_back(static_cast<float>(disparity));

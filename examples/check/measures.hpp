@@ -11,16 +11,17 @@
 
 namespace check {
 
-Findings check_clock(const Samples& samples);          ///< time-unit, time-order, frames-dropped
-Findings check_repeats(const Samples& samples);        ///< images-repeated, depth-repeated
-Findings check_amounts(const Samples& samples);        ///< depth-sparse, texture-low
-Findings check_registration(const Samples& samples);   ///< depth-size, depth-lag, depth-offset
-Findings check_depth_scale(const Samples& samples);    ///< depth-unit, focal-baseline
-Findings check_pair(const Samples& samples);           ///< pair-rows, focal-baseline, disparity-bias
-Findings check_masks(const Samples& samples);          ///< masks-size, masks-values, masks-lag
-Findings check_missing_masks(const Samples& samples);  ///< masks-missing
-Findings check_exposure(const Samples& samples);       ///< exposure-jumps, brightness-bands
-Findings check_blur(const Samples& samples);           ///< motion-blur
-Findings check_fixed_parts(const Samples& samples);    ///< fixed-part
+Findings check_clock(const Samples& samples);             ///< time-unit, time-order, frames-dropped
+Findings check_repeats(const Samples& samples);           ///< images-repeated, depth-repeated
+Findings check_amounts(const Samples& samples);           ///< depth-sparse, texture-low
+Findings check_registration(const Samples& samples);      ///< depth-size, depth-lag, depth-offset
+Findings check_depth_scale(const Samples& samples);       ///< depth-unit, focal-baseline
+Findings check_depth_saturation(const Samples& samples);  ///< depth-saturated
+Findings check_pair(const Samples& samples);              ///< pair-rows, focal-baseline, disparity-bias
+Findings check_masks(const Samples& samples);             ///< masks-size, masks-values, masks-lag
+Findings check_missing_masks(const Samples& samples);     ///< masks-missing
+Findings check_exposure(const Samples& samples);          ///< exposure-jumps, brightness-bands
+Findings check_blur(const Samples& samples);              ///< motion-blur
+Findings check_fixed_parts(const Samples& samples);       ///< fixed-part
 
 }  // namespace check

@@ -95,6 +95,7 @@ Samples read_samples(const runner::SequenceOptions& options) {
       if (frame.depth.type() != CV_16UC1)
         throw runner::FileError(entry.depth.string() + ": must be a 16-bit grey image");
       frame.depth = undistorted(frame.depth);
+      frame.depth.setTo(0, frame.depth == 65535);
     }
     if (entry.coco)
       frame.ids = undistorted(entry.coco->read(runner::image_name(entry), size, {}).ids);

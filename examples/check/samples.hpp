@@ -15,9 +15,10 @@ struct Sample {
   std::size_t index = 0;  ///< in the recording
   bool follows = false;   ///< the sample before it is the frame before it
   cv::Mat grey;           ///< CV_8UC1
-  cv::Mat depth;          ///< CV_16UC1 as in the file, or CV_32FC1 in metres from the stereo pair; of any size
-  cv::Mat right;          ///< CV_8UC1 of the image's size, or empty
-  cv::Mat ids;            ///< one channel, of any size; empty: no segmentation
+  cv::Mat depth;  ///< CV_16UC1 as in the file but 65535, which is none, or CV_32FC1 in metres from the stereo pair; of
+                  ///< any size
+  cv::Mat right;  ///< CV_8UC1 of the image's size, or empty
+  cv::Mat ids;    ///< one channel, of any size; empty: no segmentation
 };
 
 /// A recording and as many of its frames as memory and patience allow: all, or runs of consecutive ones spread over it.

@@ -101,7 +101,8 @@ class Tracker:
         """Labels one frame.
 
         image: uint8, (h, w), (h, w, 3) or (h, w, 4).
-        depth: (h, w), floats in metres or uint16 in units; zero, negative, NaN or infinite = no measurement.
+        depth: (h, w), floats in metres or uint16 in units; zero, negative, NaN, infinite, or 65535 of uint16 =
+            no measurement.
         masks: integer ids of shape (h, w), 0 = background; or bool of shape (n, h, w); or a list of Instance; or Masks;
         None = no segmentation for this frame, or not yet.
         timestamp: seconds, strictly increasing.

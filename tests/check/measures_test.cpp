@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <opencv2/imgproc.hpp>
 
 #include "made_samples.hpp"
@@ -156,6 +158,30 @@ Samples made_pair(double depth_factor, int lower) {
     frame.depth.convertTo(frame.depth, CV_16U, depth_factor);
   }
   return samples;
+}
+
+/// Ground that ends in the distance, 1.5 m under a camera that goes down a little.
+void lay_ground(Samples& samples, double farthest) {
+  for (std::size_t i = 0; i < samples.frames.size(); ++i)
+    for (int y = 0; y < check_test::height; ++y)
+      for (int x = 0; x < check_test::width; ++x) {
+        const double z = (450.0 - static_cast<double>(i)) / std::max(1.0, y - 60 + 0.01 * x);
+        samples.frames[i].depth.at<std::uint16_t>(y, x) = static_cast<std::uint16_t>(256 * std::min(z, farthest));
+      }
+  samples.recording.depth_units_per_metre = 256;
+}
+
+TEST(CheckDepthSaturation, MeasuresItsShare) {
+  Samples samples = made_samples();
+  lay_ground(samples, 15);  // 30 rows below the horizon, and all above it
+  expect_fault(find(check::check_depth_saturation(samples), "depth-saturated"), 100.0 * 90 / check_test::height, 3);
+  for (std::size_t i = 0; i < samples.frames.size(); ++i)
+    samples.frames[i].depth.setTo(15 * 256 - 5 * static_cast<int>(i), samples.frames[i].depth == 15 * 256);
+  expect_fine(find(check::check_depth_saturation(samples), "depth-saturated"));  // a wall that comes nearer
+  samples = made_samples();
+  lay_ground(samples, 15);
+  samples.frames[3].depth(cv::Rect(5, 80, 1, 8)) = 16 * 256;  // depth goes on
+  expect_fine(find(check::check_depth_saturation(samples), "depth-saturated"));
 }
 
 TEST(CheckPair, NamesTheUnit) {

@@ -45,7 +45,7 @@ struct Setting {
   double scale = 1;
   bool few_points = false;
   bool no_depth = false;
-  double masked = 0;
+  dot::UnusedShares shares;
 };
 
 Diagnosis look(const Setting& setting, int frames = 40) {
@@ -58,7 +58,7 @@ Diagnosis look(const Setting& setting, int frames = 40) {
     frame.repeats = again;
     frame.depth.levels[0] = scene(100 + (again ? i - 1 : i) - setting.depth_late, setting.scale).depth.levels[0];
     if (setting.no_depth) frame.depth.levels[0].fill(0);
-    last = watch.look(frame, noise, i > 0 ? setting.seconds : 0, 1, setting.few_points, setting.masked);
+    last = watch.look(frame, noise, i > 0 ? setting.seconds : 0, 1, setting.few_points, setting.shares);
   }
   return last;
 }
@@ -125,14 +125,14 @@ TEST(Watch, TellsLittleTextureFromLittleDepth) {
 // A lidar that is slower than the camera: the frames with depth have enough of everything.
 TEST(Watch, NoticesMasksThatLeaveNoBackground) {
   Setting setting;
-  setting.masked = 0.97;
+  setting.shares.masked = 0.97;
   EXPECT_EQ(look(setting).reason, Suspicion::None) << "there are points beside them";
   setting.few_points = true;
   EXPECT_EQ(look(setting).reason, Suspicion::MasksCoverImage);
   EXPECT_EQ(look(setting).figure, 0.97);
-  setting.masked = 0.3;
+  setting.shares.masked = 0.3;
   EXPECT_EQ(look(setting).reason, Suspicion::TooLittleTexture);
-  setting.masked = 0.97;
+  setting.shares.masked = 0.97;
   setting.no_depth = true;
   EXPECT_EQ(look(setting).reason, Suspicion::TooLittleDepth);
 }
@@ -149,6 +149,16 @@ TEST(Watch, TellsLittleTextureFromDepthThatComesWithSomeFrames) {
     EXPECT_EQ(diagnosis.reason, Suspicion::TooLittleDepth) << i;
     EXPECT_EQ(diagnosis.figure, 0) << i;
   }
+}
+
+TEST(Watch, NoticesDepthThatIsCutOff) {
+  Setting setting;
+  setting.shares.saturated = 0.3;
+  EXPECT_EQ(look(setting, 7).reason, Suspicion::None);
+  EXPECT_EQ(look(setting).reason, Suspicion::SaturatedDepth);
+  EXPECT_EQ(look(setting).figure, 0.3);
+  setting.repeat_every = 4;
+  EXPECT_EQ(look(setting).reason, Suspicion::RepeatedImages);
 }
 
 TEST(Watch, ForgetsOnRequest) {

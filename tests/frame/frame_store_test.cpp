@@ -53,6 +53,18 @@ TEST(FrameStore, FartherThanTheLimitIsNotMeasured) {
   EXPECT_LE(add(store, 1, 1.5)->inverse_depth()(10, 10), 0);
 }
 
+TEST(FrameStore, SaturatedIsNotMeasuredAndBoundsNothingElse) {
+  FrameStore store;
+  dot::DepthBias bias;
+  bias.coefficients[0] = 0.2;  // 2 m become 3.3 m
+  for (const auto& [saturated, expected] : {std::pair{2.0, 0.0f}, std::pair{2.1, 0.3f}}) {
+    const Plain plain(1);
+    const FramePtr frame =
+        store.add(plain.frame, bias, kNoise, {3, 100, saturated}, dot::portable_kernels(), dot::Threads{});
+    EXPECT_NEAR(frame->inverse_depth()(10, 10), expected, 1e-6f) << saturated;
+  }
+}
+
 TEST(FrameStore, SubtractsTheBias) {
   FrameStore store;
   dot::DepthBias bias;

@@ -143,17 +143,18 @@ TEST(InverseDepthRows, SixteenBitsHaveTheirUnit) {
   Image<float> q;
   ImageRef depth{values.data(), 4, 1, 8, PixelFormat::DepthU16};
   to_inverse_depth(depth, 80, q);
-  EXPECT_EQ(measured(q), 3);  // 1000 a metre by default
+  EXPECT_EQ(measured(q), 2);  // 1000 a metre by default
   EXPECT_EQ(q(0, 0), 0);
   EXPECT_FLOAT_EQ(q(1, 0), 2);
   EXPECT_FLOAT_EQ(q(2, 0), 1000.f / 2560);
-  EXPECT_FLOAT_EQ(q(3, 0), 1000.f / 65535);
+  EXPECT_EQ(q(3, 0), 0);  // never a measurement
   depth.depth_units_per_metre = 256;
   to_inverse_depth(depth, 80, q);
   EXPECT_EQ(measured(q), 2);
   EXPECT_FLOAT_EQ(q(1, 0), 256.f / 500);
   EXPECT_FLOAT_EQ(q(2, 0), 0.1f);
-  EXPECT_EQ(q(3, 0), 0);  // 256 m, too far
+  to_inverse_depth(depth, 2, q);
+  EXPECT_EQ(measured(q), 1);  // 10 m is too far
 }
 
 TEST(UnbiasedDepthRows, LosesTheBiasOfItsPlace) {
@@ -164,7 +165,7 @@ TEST(UnbiasedDepthRows, LosesTheBiasOfItsPlace) {
   dot::DepthBias bias;
   bias.coefficients << 0.02, -0.03, 0.04, 0.01, -0.02, 0.03, 0.05;
   Image<float> rows;
-  dot::UnbiasedDepthRows unbiased(depth, 80, bias, rows);
+  dot::UnbiasedDepthRows unbiased(dot::InverseDepthRows(depth, 60), 80, bias, rows);
   std::vector<float> row(width);
   for (int y = 0; y < height; ++y) {
     unbiased(y, row.data());

@@ -30,6 +30,7 @@ Film<> queue(double contrast) {
   Film<> film;
   film.camera_path = straight({0, 0, 0}, {0, 0, 2.5});
   film.degradation.noise = 1;
+  film.degradation.depth_noise = 1e-5;  // without any, the wall looks like the end of the depth in the first frame
   film.direct = [contrast](int index, Scene& scene) {
     if (index > 0) return;
     Body& yard = scene.bodies.front();

@@ -76,7 +76,7 @@ enum {
   DOT_FORMAT_RGB8 = 3,       ///< three bytes a pixel, red first
   DOT_FORMAT_BGRA8 = 4,      ///< four bytes a pixel, blue first, alpha ignored
   DOT_FORMAT_DEPTH_F32 = 5,  ///< float, metres
-  DOT_FORMAT_DEPTH_U16 = 6,  ///< 16 bit, metres = value / depth_units_per_metre
+  DOT_FORMAT_DEPTH_U16 = 6,  ///< 16 bit, metres = value / depth_units_per_metre; 65535 = no measurement
   DOT_FORMAT_ID8 = 7,        ///< instance ids, 0 = background
   DOT_FORMAT_ID16 = 8,       ///< two bytes a pixel, 0 = background
   DOT_FORMAT_ID32 = 9,       ///< four bytes a pixel, 0 = background
@@ -263,7 +263,7 @@ typedef struct dot_frame {
   uint64_t id;                             ///< the caller's number of the frame
   double timestamp;                        ///< seconds, strictly increasing
   const dot_image* image;                  ///< GREY8, BGR8, RGB8 or BGRA8
-  const dot_image* depth;                  ///< DEPTH_F32 or DEPTH_U16; zero, negative, NaN or infinite = no measurement
+  const dot_image* depth;                  ///< DEPTH_F32 or DEPTH_U16; zero, negative, NaN, infinite = no measurement
   const dot_masks* masks;                  ///< NULL: no segmentation for this frame, or not yet
   const dot_camera_motion* camera_motion;  ///< NULL: estimated from the image
   const double* camera_prior;  ///< start of that estimate, from odometry or an IMU: T_cur_prev, 12 values; NULL:

@@ -12,15 +12,20 @@
 
 DOT_BEGIN_NAMESPACE
 
+/// Shares of a frame's pixels, 0 to 1.
+struct UnusedShares {
+  double masked = 0;     ///< that objects cover; looked at if there are too few points beside them
+  double saturated = 0;  ///< whose depth was left out (DepthSaturation)
+};
+
 /// Notices input that no tracker can work with. It looks at a few rows of what `track` has computed.
 class Watch {
  public:
   /// @param noise of the depth. @param seconds since the frame before, 0 for the first. @param max_gap of the frames,
-  /// seconds. @param too_few_points for the next frame's camera motion. @param masked share of the image that objects
-  /// cover, 0 to 1; used if there are too few points.
+  /// seconds. @param too_few_points for the next frame's camera motion. @param shares of the image that are of no use.
   template <typename Noise>
   Diagnosis look(const FrameData& frame, const Noise& noise, double seconds, double max_gap, bool too_few_points,
-                 double masked = 0) {
+                 const UnusedShares& shares = {}) {
     const std::size_t level = frame.pyramid.size() > 1 ? 1 : 0;
     const bool first = !(seconds > 0);
     if (first || seconds > max_gap) step_.clear();
@@ -39,28 +44,31 @@ class Watch {
     const bool little_depth = too_few_points && measured < kLittleDepth;
     no_depth_.add(little_depth);
     if (little_depth) little_depth_ = measured;
-    const bool covered = too_few_points && masked > kMasked;
+    const bool covered = too_few_points && shares.masked > kMasked;
     covered_.add(covered);
-    if (covered) masked_ = masked;
+    if (covered) last_.masked = shares.masked;
+    saturated_.add(shares.saturated > 0);
+    if (shares.saturated > 0) last_.saturated = shares.saturated;
 
     if (gaps_.share() > 0.5) return {Suspicion::ImplausibleTimes, seconds};
     if (repeats_.share() >= kRepeats) return {Suspicion::RepeatedImages, repeats_.share()};
     if (few_points_.share() > 0.5) {
       // Depth may come with some of the frames alone, so that this frame does not tell what the others lack.
       if (no_depth_.share() > 0.5 * few_points_.share()) return {Suspicion::TooLittleDepth, little_depth_};
-      if (covered_.share() > 0.5 * few_points_.share()) return {Suspicion::MasksCoverImage, masked_};
+      if (covered_.share() > 0.5 * few_points_.share()) return {Suspicion::MasksCoverImage, last_.masked};
       return {Suspicion::TooLittleTexture, few_points_.share()};
     }
     const double depth = step_.mean_inverse_depth() > 0 ? 1 / step_.mean_inverse_depth() : 1;
     if (depth > kFarthest || depth < kNearest) return {Suspicion::ImplausibleDepth, depth};
     if (const int lag = step_.lag(); lag != 0) return {Suspicion::DepthOutOfStep, static_cast<double>(lag)};
+    if (saturated_.share() > 0.5) return {Suspicion::SaturatedDepth, last_.saturated};
     return {};
   }
 
   /// Starts afresh, as at the first frame.
   void forget() noexcept {
     step_.clear();
-    gaps_ = repeats_ = few_points_ = no_depth_ = covered_ = {};
+    gaps_ = repeats_ = few_points_ = no_depth_ = covered_ = saturated_ = {};
     run_ = 0;
   }
 
@@ -91,9 +99,9 @@ class Watch {
   static constexpr double kFarthest = 150, kNearest = 0.1;  ///< metres, harmonic mean
 
   DepthStep step_;
-  Share gaps_, repeats_, few_points_, no_depth_, covered_;
+  Share gaps_, repeats_, few_points_, no_depth_, covered_, saturated_;
   double little_depth_ = 0;  ///< share of the pixels with depth in the last frame that had too little
-  double masked_ = 0;        ///< share that objects covered in the last frame that had no room for points beside them
+  UnusedShares last_;        ///< of the last frames that had any
   int run_ = 0;              ///< FrameData::repeats of the newest frame
 };
 

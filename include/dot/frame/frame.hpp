@@ -43,11 +43,11 @@ struct CameraMotion {
 
 /// One frame. All views are borrowed for the duration of `track`.
 struct Frame {
-  std::uint64_t id = 0;        ///< the caller's number of the frame, returned in the result
-  double timestamp = 0;        ///< seconds, strictly increasing
-  ImageRef image;              ///< Grey8, Bgr8, Rgb8 or Bgra8
-  ImageRef depth;              ///< DepthF32 or DepthU16; zero, negative, NaN or infinite = no measurement
-  std::optional<Masks> masks;  ///< absent: no segmentation for this frame, or not yet
+  std::uint64_t id = 0;  ///< the caller's number of the frame, returned in the result
+  double timestamp = 0;  ///< seconds, strictly increasing
+  ImageRef image;        ///< Grey8, Bgr8, Rgb8 or Bgra8
+  ImageRef depth;        ///< DepthF32 or DepthU16; zero, negative, NaN, infinite, 65535 of 16 bits = no measurement
+  std::optional<Masks> masks;                 ///< absent: no segmentation for this frame, or not yet
   std::optional<CameraMotion> camera_motion;  ///< absent: estimated from the image
   /// Start of that estimate, from odometry or an IMU: T_cur_prev, row-major 3x4. Absent: constant velocity alone.
   std::optional<std::array<double, 12>> camera_prior;

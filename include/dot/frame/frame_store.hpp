@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -26,8 +27,9 @@ class FrameStore {
  public:
   /// How frames are built.
   struct Settings {
-    int max_levels = 1;    ///< of the pyramids
-    double max_depth = 0;  ///< metres; farther depth counts as not measured
+    int max_levels = 1;                                          ///< of the pyramids
+    double max_depth = 0;                                        ///< metres; farther depth counts as not measured
+    double saturated = std::numeric_limits<double>::infinity();  ///< metres; so does depth from there on
   };
 
   /// Builds a frame's pyramids. @param bias is subtracted from its inverse depth. @param noise of the depth.
@@ -41,15 +43,15 @@ class FrameStore {
     frame.bias = bias;
     const int width = input.image.width, height = input.image.height;
     const int levels = pyramid_levels(width, height, settings.max_levels);
+    const InverseDepthRows measured(input.depth, std::min(settings.max_depth, settings.saturated), kernels);
     threads.run(2, [&](int, int part) {
       if (part == 0)
         frame.pyramid.build(width, height, GreyRows(input.image, grey_rows_), levels, kernels);
       else if (bias.is_zero())
-        build_depth(InverseDepthRows(input.depth, settings.max_depth, kernels), noise, width, height, levels, kernels,
-                    frame.depth);
+        build_depth(measured, noise, width, height, levels, kernels, frame.depth);
       else
-        build_depth(UnbiasedDepthRows(input.depth, settings.max_depth, bias, depth_rows_, kernels), noise, width,
-                    height, levels, kernels, frame.depth);
+        build_depth(UnbiasedDepthRows(measured, settings.max_depth, bias, depth_rows_, kernels), noise, width, height,
+                    levels, kernels, frame.depth);
     });
     frame.repeats = previous && same(frame.pyramid.levels[0], previous->pyramid.levels[0]) ? previous->repeats + 1 : 0;
     return newest();

@@ -53,17 +53,20 @@ class GreyRows {
   int end_ = 0;                ///< end of the converted rows
 };
 
-/// Rows of inverse depth in 1/m; 0 where there is no measurement: zero, negative, NaN, infinite or beyond `max_depth`
-/// metres.
+/// Rows of inverse depth in 1/m; 0 where there is no measurement: zero, negative, NaN, infinite, 65535 of 16 bits, or
+/// from `end` metres on.
 class InverseDepthRows {
  public:
-  /// @param depth borrowed. @param max_depth metres; farther depth counts as not measured.
-  InverseDepthRows(const ImageRef& depth, double max_depth, const kernel::Kernels& kernels = portable_kernels())
+  /// @param depth borrowed. @param end metres; depth from there on counts as not measured.
+  InverseDepthRows(const ImageRef& depth, double end, const kernel::Kernels& kernels = portable_kernels())
       : depth_(depth), kernels_(kernels), words_(depth.format == PixelFormat::DepthU16) {
-    const double units_per_metre = words_ ? depth.depth_units_per_metre : 1;
+    const double units_per_metre = words_ ? depth.depth_units_per_metre : 1, values_end = end * units_per_metre;
     units_ = {static_cast<float>(units_per_metre), static_cast<float>(1e-3 * units_per_metre),
-              static_cast<float>(max_depth * units_per_metre)};
+              static_cast<float>(words_ ? std::min(values_end, 65535.0) : values_end)};
   }
+
+  int width() const { return depth_.width; }    ///< pixels
+  int height() const { return depth_.height; }  ///< pixels
 
   /// Writes row y to `out`, which has room for it: 1/m, 0 = not measured.
   void operator()(int y, float* out) const {
@@ -81,17 +84,19 @@ class InverseDepthRows {
   kernel::DepthUnits units_;
 };
 
-/// The same with the bias subtracted. Depths that this would move beyond `max_depth` metres are set to `max_depth`.
+/// The same rows with the bias subtracted. Depths that this would move beyond `max_depth` metres are set to
+/// `max_depth`.
 class UnbiasedDepthRows {
  public:
   /// @param rows scratch. All else is borrowed.
-  UnbiasedDepthRows(const ImageRef& depth, double max_depth, const DepthBias& bias, Image<float>& rows,
+  UnbiasedDepthRows(const InverseDepthRows& measured, double max_depth, const DepthBias& bias, Image<float>& rows,
                     const kernel::Kernels& kernels = portable_kernels())
-      : measured_(depth, max_depth, kernels), kernels_(kernels), rows_(rows), height_(depth.height) {
-    rows.resize(depth.width, 3);
+      : measured_(measured), kernels_(kernels), rows_(rows), height_(measured.height()) {
+    const int width = measured.width();
+    rows.resize(width, 3);
     row_ = {rows.row(1), rows.row(2), 0, static_cast<float>(1 / max_depth)};
-    for (int u = 0; u < depth.width; ++u) {
-      const double s = 2.0 * u / depth.width - 1, middle = bias(s, 0);
+    for (int u = 0; u < width; ++u) {
+      const double s = 2.0 * u / width - 1, middle = bias(s, 0);
       rows(u, 1) = static_cast<float>(middle);
       rows(u, 2) = static_cast<float>(bias(s, 1) - middle);
     }

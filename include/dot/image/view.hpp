@@ -41,7 +41,7 @@ enum class PixelFormat : std::uint8_t {
   Rgb8,      ///< three bytes a pixel, red first
   Bgra8,     ///< four bytes a pixel, blue first, alpha ignored
   DepthF32,  ///< float, metres
-  DepthU16,  ///< 16 bit, metres = value / depth_units_per_metre
+  DepthU16,  ///< 16 bit, metres = value / depth_units_per_metre; 65535 = no measurement
   Id8,       ///< 8-bit instance ids, 0 = none
   Id16,      ///< 16-bit instance ids, 0 = none
   Id32       ///< 32-bit instance ids, 0 = none

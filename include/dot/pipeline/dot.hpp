@@ -12,6 +12,7 @@
 #include "dot/camera_motion/camera_tracker.hpp"
 #include "dot/diagnosis/watch.hpp"
 #include "dot/discovery/discovery.hpp"
+#include "dot/frame/depth_saturation.hpp"
 #include "dot/frame/frame_store.hpp"
 #include "dot/kernel/portable_kernels.hpp"
 #include "dot/labels/labeller.hpp"
@@ -132,6 +133,7 @@ class Dot {
   Camera camera_;
   Options options_;
 
+  DepthSaturation saturation_;
   FrameStore frames_;
   FramePtr current_, previous_;
   CameraTracker<Camera, Noise, Aligner> camera_tracker_;

@@ -75,7 +75,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   const double seconds = start_interval(frame.timestamp);
   previous_ = std::move(current_);
   current_ = frames_.add(frame, camera_tracker_.depth_bias(), depth_noise,
-                         {std::min(options_.align.max_levels, PointSet::kMaxLevels), options_.selection.max_depth},
+                         {std::min(options_.align.max_levels, PointSet::kMaxLevels), options_.selection.max_depth,
+                          saturation_.look(frame.depth, options_.selection.max_depth)},
                          kernels(), threads, seconds > 0 ? previous_.get() : nullptr);
   const FrameData& cur = *current_;
   ends(Stage::Image);
@@ -93,6 +94,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   });
   if (!camera_tracker_.revised().empty()) forget_wrong_motions();
   late_masks_.advance(camera_step);
+  if (camera_step.known())
+    saturation_.moved(camera_step.T_cur_prev);
+  else
+    saturation_.forget_motion();
 
   // Noise of the depth. Predicted places of the objects. Masks of moving regions in the background.
   const Interval interval{previous_.get(), cur, camera_step};
@@ -128,8 +133,10 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 void Dot<Camera, Classifier, Noise, Aligner>::prepare_next(const CameraStep& camera_step, bool segmented) {
   remember(camera_step);
   const double step = previous_ ? current_->timestamp - previous_->timestamp : 0;
-  const double masked = result_.too_little_depth ? labeller_.labels().share() : 0;
-  result_.diagnosis = watch_.look(*current_, depth_noise, step, options_.max_gap, result_.too_little_depth, masked);
+  UnusedShares shares;
+  shares.masked = result_.too_little_depth ? labeller_.labels().share() : 0;
+  shares.saturated = saturation_.share();
+  result_.diagnosis = watch_.look(*current_, depth_noise, step, options_.max_gap, result_.too_little_depth, shares);
   late_masks_.await(current_, camera_step, segmented, options_.mask, tracks_.all());
   result_.stage_ms[static_cast<std::size_t>(Stage::Points)] = stopwatch_.lap();
 }
@@ -229,6 +236,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::reset() noexcept {
   dropped_.clear();
   current_.reset();
   previous_.reset();
+  saturation_.forget();
   camera_tracker_.forget();
   discovery_.clear();
   late_masks_.clear();

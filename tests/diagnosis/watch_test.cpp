@@ -186,7 +186,7 @@ TEST(Watch, TakesImagesTooSmallToTell) {
 TEST(Suspicion, HasNames) {
   EXPECT_STREQ(dot::to_string(Suspicion::None), "");
   EXPECT_STREQ(dot::to_string(Suspicion::DepthOutOfStep), "depth_out_of_step");
-  EXPECT_STREQ(dot::to_string(Suspicion::FixedPart), "fixed_part");
+  EXPECT_STREQ(dot::to_string(Suspicion::SaturatedDepth), "saturated_depth");
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ class CameraStatus(IntEnum):
 
 
 class Suspicion(IntEnum):
-    """What may be wrong with the input, its figure is CameraResult.suspicion_figure."""
+    """What may be wrong with the input; its figure is CameraResult.suspicion_figure."""
 
     NONE = 0
     IMPLAUSIBLE_TIMES = 1  # steps between frames that no camera has; the last one, seconds

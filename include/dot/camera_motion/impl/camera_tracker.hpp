@@ -115,8 +115,9 @@ bool CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
 template <typename Camera, typename Noise, typename Aligner>
 Matrix6<double> CameraTracker<Camera, Noise, Aligner>::covariance_of_guess(const CameraSettings& settings,
                                                                            double seconds) {
+  constexpr double kFarthest = 1e4;  // metres, after a gap of any length; a host's motion may not be longer either
   constexpr double kHalfTurn = 3.14159265358979323846;
-  const double metres = settings.search_speed * seconds;
+  const double metres = std::min(settings.search_speed * seconds, kFarthest);
   const double radians = std::min(settings.search_turn * seconds, kHalfTurn);
   Matrix6<double> covariance = Matrix6<double>::Zero();
   covariance.diagonal() << Vector3<double>::Constant(metres * metres / 3),

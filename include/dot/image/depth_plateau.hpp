@@ -80,7 +80,8 @@ std::int32_t find_plateau(const ImageRef& depth, std::int32_t near, std::int32_t
 
   const std::int32_t top = largest_below(far);
   if (top <= near) return near;
-  const double pixels = static_cast<double>((depth.height - first + step - 1) / step) * width;
+  const int rows = (depth.height - first + step - 1) / step;
+  const double pixels = 1.0 * rows * width;
   const int at = count(top, top);
   plateau.share = at / pixels;
   plateau.is_flat = top == known;

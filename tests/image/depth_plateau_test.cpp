@@ -99,7 +99,8 @@ TEST(DepthPlateau, IsMadeOfHolesToo) {
 
 TEST(DepthPlateau, IsNotEverything) {
   EXPECT_FALSE(floats([](int, int) { return 5.0; }).is_flat);
-  EXPECT_FALSE(floats([](int x, int) { return x < 20 ? 4.0 + 0.01 * x : 5.0; }).is_flat) << "over nine tenths";
+  EXPECT_FALSE(floats([](int x, int) { return x < 20 ? 4.0 + 0.01 * x : 5.0; }).is_flat) << "nearly all";
+  EXPECT_FALSE(floats([](int x, int y) { return x < 100 && y > 100 ? 3.0 : 5.0; }).is_flat) << "a flat scene";
 }
 
 TEST(DepthPlateau, IsNotAFewPixels) {

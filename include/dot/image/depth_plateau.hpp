@@ -8,9 +8,10 @@
 #include <cstdint>
 #include <cstring>
 
+#include "dot/abi.hpp"
 #include "dot/image/view.hpp"
 
-namespace dot {
+DOT_BEGIN_NAMESPACE
 
 /// The pixels that have the largest depth of an image, and whether depth seems to be cut off there: by a sensor's
 /// range, a simulator's far plane, or a number that stands for holes.
@@ -20,7 +21,8 @@ struct DepthPlateau {
   bool is_flat = false;  ///< seems cut off. So does a wall square to the view, if depth has no noise at all
 };
 
-namespace detail {
+/// Parts of `find_plateau`.
+namespace plateaus {
 
 /// Words as they are, floats by their bits, which have the same order unless negative. As whole numbers, because
 /// compilers make vector code of comparing these.
@@ -37,10 +39,10 @@ template <typename Value, typename Slope>
 std::int32_t find_plateau(const ImageRef& depth, std::int32_t near, std::int32_t far, std::int32_t known, Slope&& slope,
                           DepthPlateau& plateau) {
   constexpr double kLeast = 0.01;     // share of all pixels
-  constexpr double kMost = 0.9;       // share of the measured ones
+  constexpr double kMost = 0.75;      // share of the measured ones
   constexpr double kOverSlope = 1.2;  // over those in the tenth of the depth before it
   constexpr int kLeastRows = 2;       // a level camera sees even ground at the same depth in all of a row
-  constexpr double kOverStep = 5;     // over those of the next lower value: depth in coarse steps has about as many
+  constexpr double kOverStep = 5;     // over those of the next lower value: coarse depth has about as many
   constexpr int kRows = 32;
   const int step = std::max(1, depth.height / kRows), width = depth.width;
   const int first = std::min(step / 2, depth.height - 1);
@@ -85,14 +87,17 @@ std::int32_t find_plateau(const ImageRef& depth, std::int32_t near, std::int32_t
   const int at = count(top, top);
   plateau.share = at / pixels;
   plateau.is_flat = top == known;
-  if (top == known || plateau.share < kLeast || rows_hit < kLeastRows || at > kMost * count(near + 1, top)) return top;
-  if (at < kOverSlope * count(slope(top), top - 1)) return top;
+  if (top == known || plateau.share < kLeast || rows_hit < kLeastRows) return top;
+  const int nearer = count(near + 1, top - 1);
+  if (at > kMost * (at + nearer) || at < kOverSlope * count(slope(top), top - 1)) return top;
   const std::int32_t next = largest_below(top);
-  plateau.is_flat = at >= kOverStep * count(next, next);
+  const int at_next = count(next, next);
+  // Many nearer ones of one value make a scene of flat pictures.
+  plateau.is_flat = at >= kOverStep * at_next && nearer >= kOverStep * at_next;
   return top;
 }
 
-}  // namespace detail
+}  // namespace plateaus
 
 /// Looks at some rows of a depth image as it is given. @param max_depth metres; farther depth counts as not measured.
 /// @param known metres, of a plateau that was found before and is flat without another look; 0: none.
@@ -102,19 +107,19 @@ inline DepthPlateau find_plateau(const ImageRef& depth, double max_depth, double
     const double unit = depth.depth_units_per_metre;
     const auto number = [](double v) { return static_cast<std::int32_t>(std::min(v, 65535.0)); };
     const std::int32_t near = number(1e-3 * unit);
-    const std::int32_t top = detail::find_plateau<std::uint16_t>(
+    const std::int32_t top = plateaus::find_plateau<std::uint16_t>(
         depth, near, number(std::ceil(max_depth * unit)), number(std::round(known * unit)),
         [&](std::int32_t v) { return number(std::ceil(0.9 * v)); }, plateau);
     if (top > near) plateau.depth = top / unit;
   } else {
-    const auto number = [](double v) { return detail::depth_number(static_cast<float>(v)); };
+    const auto number = [](double v) { return plateaus::depth_number(static_cast<float>(v)); };
     const auto metres = [](std::int32_t v) {
       float value;
       std::memcpy(&value, &v, sizeof value);
       return static_cast<double>(value);
     };
     const std::int32_t near = number(1e-3);
-    const std::int32_t top = detail::find_plateau<float>(
+    const std::int32_t top = plateaus::find_plateau<float>(
         depth, near, number(max_depth), number(known), [&](std::int32_t v) { return number(0.9 * metres(v)); },
         plateau);
     if (top > near) plateau.depth = metres(top);
@@ -122,4 +127,4 @@ inline DepthPlateau find_plateau(const ImageRef& depth, double max_depth, double
   return plateau;
 }
 
-}  // namespace dot
+DOT_END_NAMESPACE

@@ -32,11 +32,13 @@ Scene landscape() {
   };
 }
 
+/// What is farther than the type can say has its largest value.
 template <typename Value>
 std::vector<Value> image_of(const Scene& scene, double unit) {
   std::vector<Value> values;
+  const double largest = std::numeric_limits<Value>::max();
   for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) values.push_back(static_cast<Value>(unit * scene(x, y)));
+    for (int x = 0; x < kWidth; ++x) values.push_back(static_cast<Value>(std::min(unit * scene(x, y), largest)));
   return values;
 }
 

@@ -57,6 +57,7 @@ static_assert(to_c(dot::Suspicion::ImplausibleDepth) == DOT_SUSPICION_IMPLAUSIBL
 static_assert(to_c(dot::Suspicion::DepthOutOfStep) == DOT_SUSPICION_DEPTH_OUT_OF_STEP);
 static_assert(to_c(dot::Suspicion::MasksCoverImage) == DOT_SUSPICION_MASKS_COVER_IMAGE);
 static_assert(to_c(dot::Suspicion::SaturatedDepth) == DOT_SUSPICION_SATURATED_DEPTH);
+static_assert(to_c(dot::Suspicion::FixedPart) == DOT_SUSPICION_FIXED_PART);
 
 inline dot_object to_c(const dot::ObjectResult& object) {
   dot_object out{};

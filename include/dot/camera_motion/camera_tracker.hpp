@@ -12,6 +12,7 @@
 #include "dot/camera_motion/depth_learning.hpp"
 #include "dot/camera_motion/estimator.hpp"
 #include "dot/camera_motion/first_intervals.hpp"
+#include "dot/camera_motion/fixed_parts.hpp"
 #include "dot/camera_motion/usual_correlation.hpp"
 #include "dot/frame/frame.hpp"
 #include "dot/frame/frame_data.hpp"
@@ -42,6 +43,10 @@ class CameraTracker {
   /// concluded from them is wrong, too.
   const std::vector<RevisedInterval>& revised() const { return revised_; }
 
+  /// Whether earlier motions proved to be wrong: those of `revised`, or all of a camera that parts of the image have
+  /// held, see FixedParts.
+  bool refuted() const { return refuted_; }
+
   /// Learns the noise and bias of the depth from the background. Must be called after `track`. @param noise is scaled.
   void learn_depth(const FrameData& cur, const CameraStep& step, const Camera& camera, const AlignSettings& settings,
                    int min_points, Noise& noise);
@@ -54,6 +59,9 @@ class CameraTracker {
 
   /// The bias to be subtracted from the next frame's depth.
   DepthBias depth_bias() const { return bias_learning_.bias(); }
+
+  /// Share of the image that does not move with the scene, 0 if it is too small to matter.
+  double fixed_share() const { return fixed_parts_.share(); }
 
   /// Whether the motion was measured in every frame since the one of the background's points.
   bool is_sure() const { return !background_.guessed; }
@@ -71,6 +79,8 @@ class CameraTracker {
     revised_.clear();
     depth_learning_.forget();
     bias_learning_.forget();
+    fixed_parts_.forget();
+    held_ = refuted_ = false;
     velocity_known_ = false;
     velocity_.setZero();
     correlation_ = {};
@@ -93,6 +103,9 @@ class CameraTracker {
   UsualCorrelation correlation_;
   FirstIntervals first_intervals_;
   std::vector<RevisedInterval> revised_;
+  FixedParts fixed_parts_;
+  bool held_ = false;     ///< fixed parts were found in the last frame that have held the camera before
+  bool refuted_ = false;  ///< see `refuted`
   DepthLearning depth_learning_;
   DepthBiasLearning bias_learning_;
 

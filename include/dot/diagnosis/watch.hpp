@@ -16,6 +16,7 @@ DOT_BEGIN_NAMESPACE
 struct UnusedShares {
   double masked = 0;     ///< that objects cover; looked at if there are too few points beside them
   double saturated = 0;  ///< whose depth was left out (DepthSaturation)
+  double fixed = 0;      ///< that do not move with the scene (FixedParts)
 };
 
 /// Notices input that no tracker can work with. It looks at a few rows of what `track` has computed.
@@ -49,6 +50,8 @@ class Watch {
     if (covered) last_.masked = shares.masked;
     saturated_.add(shares.saturated > 0);
     if (shares.saturated > 0) last_.saturated = shares.saturated;
+    fixed_.add(shares.fixed > 0);
+    if (shares.fixed > 0) last_.fixed = shares.fixed;
 
     if (gaps_.share() > 0.5) return {Suspicion::ImplausibleTimes, seconds};
     if (repeats_.share() >= kRepeats) return {Suspicion::RepeatedImages, repeats_.share()};
@@ -62,13 +65,14 @@ class Watch {
     if (depth > kFarthest || depth < kNearest) return {Suspicion::ImplausibleDepth, depth};
     if (const int lag = step_.lag(); lag != 0) return {Suspicion::DepthOutOfStep, static_cast<double>(lag)};
     if (saturated_.share() > 0.5) return {Suspicion::SaturatedDepth, last_.saturated};
+    if (fixed_.share() > 0.5) return {Suspicion::FixedPart, last_.fixed};
     return {};
   }
 
   /// Starts afresh, as at the first frame.
   void forget() noexcept {
     step_.clear();
-    gaps_ = repeats_ = few_points_ = no_depth_ = covered_ = saturated_ = {};
+    gaps_ = repeats_ = few_points_ = no_depth_ = covered_ = saturated_ = fixed_ = {};
     run_ = 0;
   }
 
@@ -99,7 +103,7 @@ class Watch {
   static constexpr double kFarthest = 150, kNearest = 0.1;  ///< metres, harmonic mean
 
   DepthStep step_;
-  Share gaps_, repeats_, few_points_, no_depth_, covered_, saturated_;
+  Share gaps_, repeats_, few_points_, no_depth_, covered_, saturated_, fixed_;
   double little_depth_ = 0;  ///< share of the pixels with depth in the last frame that had too little
   UnusedShares last_;        ///< of the last frames that had any
   int run_ = 0;              ///< FrameData::repeats of the newest frame

@@ -19,6 +19,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   CameraStep step;
   step.seconds = seconds;
   revised_.clear();
+  refuted_ = false;
   background_.points.subtract_bias(cur.bias, camera.width(), camera.height());
   if (seconds <= 0) {
     velocity_known_ = false;
@@ -27,6 +28,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
     return step;
   }
   first_intervals_.keep_frame(prev);
+  if (held_) velocity_known_ = false;
   predict(host, seconds);
   step.T_cur_prev = starts_.front();
   bool searched = false;
@@ -43,6 +45,8 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
     first_intervals_.revise(background_, cur, step, camera, estimator, aligner, workspace, revised_);
     first_intervals_.add(background_, step, searched || !revised_.empty());
   }
+  refuted_ = !revised_.empty() || (held_ && !host.motion);
+  held_ = false;
   velocity_known_ = step.known();
   if (!step.known()) {
     step.covariance = covariance_of_guess(estimator.settings, seconds);
@@ -131,7 +135,7 @@ void CameraTracker<Camera, Noise, Aligner>::learn_depth(const FrameData& cur, co
                                                         int min_points, Noise& noise) {
   if constexpr (std::is_same_v<Noise, DepthNoise>) {
     if (step.seconds <= 0) return;
-    if (!revised_.empty()) {  // learnt with the wrong motions
+    if (refuted_) {  // learnt with the wrong motions
       depth_learning_.forget();
       bias_learning_.forget();
       noise.forget_scales();
@@ -154,6 +158,8 @@ bool CameraTracker<Camera, Noise, Aligner>::take_background(const FrameData& cur
                                                             const Selector<Camera, Noise>& select, int min_points) {
   const int width = labels.image().width(), height = labels.image().height();
   mask_.set(labels);
+  held_ = fixed_parts_.look(cur, mask_.pixels, step, select.camera);
+  fixed_parts_.exclude(mask_.pixels);
   if constexpr (std::is_same_v<Noise, DepthNoise>)
     depth_learning_.remember(select.camera, cur.inverse_depth(), mask_.pixels, cur.timestamp, cur.bias);
   fresh_.clear();

@@ -92,7 +92,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
       observations_.read(*frame.masks, cur.inverse_depth(), camera_);
     }
   });
-  if (!camera_tracker_.revised().empty()) forget_wrong_motions();
+  if (camera_tracker_.refuted()) forget_wrong_motions();
   late_masks_.advance(camera_step);
   if (camera_step.known())
     saturation_.moved(camera_step.T_cur_prev);
@@ -136,6 +136,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::prepare_next(const CameraStep& cam
   UnusedShares shares;
   shares.masked = result_.too_little_depth ? labeller_.labels().share() : 0;
   shares.saturated = saturation_.share();
+  shares.fixed = camera_tracker_.fixed_share();
   result_.diagnosis = watch_.look(*current_, depth_noise, step, options_.max_gap, result_.too_little_depth, shares);
   late_masks_.await(current_, camera_step, segmented, options_.mask, tracks_.all());
   result_.stage_ms[static_cast<std::size_t>(Stage::Points)] = stopwatch_.lap();

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "dot/camera/concept.hpp"
+#include "dot/camera_motion/camera_step.hpp"
+#include "dot/camera_motion/standing_edges.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Finds the parts of the image that do not move with the scene: the bonnet of the own car, an arm of the robot, the
+/// border of an undistorted image, a caption, dirt on the lens. Their edges fit a camera that stands perfectly. With
+/// points on them the camera's motion is zero, or turns about them.
+///
+/// What is far stays in the image as well, so an edge that stays is suspected only if most edges that are at least as
+/// far move. What the camera moves to or turns about stays, too, and edges along their own motion in the image, such as
+/// those of a road. The camera's motion explains these, but only if it is measured without fixed parts. So suspected
+/// edges are excluded on trial. They are admitted again if by the motion that is measured without them they cannot have
+/// moved across themselves. While the camera's motion is none though most edges move, the trial goes on.
+class FixedParts {
+ public:
+  static constexpr double kLeastShare = 0.04;  ///< of the image; less does not hold the camera
+
+  /// Looks at the next frame. @param background zero where objects are, of full size. @param step led to the frame.
+  /// @return whether parts were found that have held the camera, so that its velocity is not known.
+  template <typename Camera>
+  bool look(const FrameData& frame, const Image<std::uint8_t>& background, const CameraStep& step,
+            const Camera& camera) {
+    T_cur_last_ = step.T_cur_prev * T_cur_last_;
+    known_ = known_ && step.known();
+    if (!edges_.add(frame, background)) return false;
+    resize(edges_.index(0, edges_.rows()));
+    compare(frame.depth.levels[edges_.level()], camera);
+    T_cur_last_ = {};
+    known_ = true;
+    return edges_.is_known() && decide();
+  }
+
+  /// Share of the image that is fixed, after the trial; 0 if it is too small to matter.
+  double share() const { return share_; }
+
+  /// Takes the fixed parts out of a mask of full size.
+  void exclude(Image<std::uint8_t>& mask) const {
+    if (!excludes_) return;
+    const int pixel = 1 << edges_.level(), size = StandingEdges::kCell * pixel;
+    // A gradient takes in the pixels beside it. The outermost cells reach to the ends of the image.
+    const auto begin = [&](int cell) { return cell == 0 ? 0 : cell * size; };
+    const auto end = [&](int cell, int cells, int all) {
+      return cell + 1 == cells ? all : (cell + 1) * size + 2 * pixel;
+    };
+    for (int row = 0; row < edges_.rows(); ++row)
+      for (int column = 0; column < edges_.columns(); ++column) {
+        if (!fixed_[edges_.index(column, row)]) continue;
+        const int left = begin(column), right = end(column, edges_.columns(), mask.width());
+        for (int v = begin(row); v < end(row, edges_.rows(), mask.height()); ++v)
+          std::memset(mask.row(v) + left, 0, static_cast<std::size_t>(right - left));
+      }
+  }
+
+  /// Forgets everything. Keeps the memory.
+  void forget() noexcept {
+    edges_.forget();
+    for (Cell& cell : cells_) cell = {};
+    T_cur_last_ = {};
+    known_ = true, compared_ = false, excludes_ = false;
+    held_ = 0;
+    share_ = 0;
+  }
+
+ private:
+  static constexpr float kKeep = 0.8f;        ///< of `crossed`, from one frame that counts to the next
+  static constexpr float kMostShift = 1.5f;   ///< pixels of the level: longer ones tell no more
+  static constexpr float kCrossed = 1.5f;     ///< pixels of the level that an edge should have moved across itself
+  static constexpr float kSuspected = 3;      ///< the same, assumed at first: a trial of four frames
+  static constexpr float kStill = 0.3f;       ///< pixels of the level: a smaller shift is none
+  static constexpr int kLeastCompared = 5;    ///< cells
+  static constexpr int kTrial = 8;            ///< frames that count, after which a part is sure
+  static constexpr double kMost = 0.4;        ///< share of the cells with edges: some of them stay in any scene
+  static constexpr std::size_t kFarther = 2;  ///< bins
+  static constexpr std::size_t kBins = 96;    ///< of the inverse depth, four an octave
+
+  struct Cell {
+    float q = 0;        ///< 1/m; 0: it has no depth, no edges, or an object
+    float crossed = 0;  ///< pixels of the level by which its edges should have moved across themselves
+    int tried = 0;      ///< frames that count since it was suspected first, 0: never
+  };
+
+  static constexpr std::uint8_t kFixed = 1, kBeside = 2;
+
+  void resize(std::size_t cells) {
+    if (cells_.size() == cells) return;
+    cells_.assign(cells, {});
+    fixed_.assign(cells, 0);
+  }
+
+  /// Adds what the camera's motion since the last frame that counted should have done to the cells' edges.
+  template <typename Camera>
+  void compare(const Image<float>& inverse_depth, const Camera& camera) {
+    constexpr int kEvery = 3;  // of the moving cells are enough
+    constexpr float kCell = StandingEdges::kCell, kMiddle = 1 + 0.5f * kCell;
+    const SE3d T_last_cur = T_cur_last_.inverse();
+    const Matrix3<float> R = T_last_cur.R.cast<float>();
+    const Vector3<float> t = T_last_cur.t.cast<float>();
+    const float pixel = static_cast<float>(1 << edges_.level());
+    int moving = 0, still = 0;
+    for (int row = 0; row < edges_.rows(); ++row)
+      for (int column = 0; column < edges_.columns(); ++column) {
+        const std::size_t i = edges_.index(column, row);
+        Cell& cell = cells_[i];
+        cell.q = edges_.has_edges(i) ? nearest(inverse_depth, column, row) : 0;
+        const bool moves = edges_.moves(i);
+        if (moves) cell.crossed = 0, cell.tried = 0;
+        if (known_ && !is_held()) {
+          cell.crossed *= kKeep;
+          if (cell.tried > 0) cell.tried = std::min(cell.tried + 1, kTrial);
+        }
+        const bool counts = moves ? (row + column) % kEvery == 0 : cell.tried > 0 || edges_.stays(i);
+        if (!known_ || !(cell.q > 0) || !counts) continue;
+        const Vector2<float> place(pixel * (kCell * static_cast<float>(column) + kMiddle) - 0.5f,
+                                   pixel * (kCell * static_cast<float>(row) + kMiddle) - 0.5f);
+        const Vector3<float> X = R * camera.template unproject<float>(place) + cell.q * t;
+        if (X.z() < 1e-3f) continue;
+        const Vector2<float> shift = (camera.template project<float>(X) - place) / pixel;
+        const float length = shift.norm();
+        if (moves) {
+          ++moving;
+          still += length < kStill;
+        } else {
+          const float shorten = length > kMostShift ? kMostShift / length : 1;
+          cell.crossed += edges_.crossing(column, row, shorten * shift.x(), shorten * shift.y());
+        }
+      }
+    if (!known_ || moving < kLeastCompared) return;
+    constexpr float kShareOfNew = 0.3f;
+    held_ += (compared_ ? kShareOfNew : 1) * ((2 * still > moving ? 1.f : 0.f) - held_);
+    compared_ = true;
+  }
+
+  /// Whether the camera's motion is none, though edges move.
+  bool is_held() const { return held_ > 0.5f; }
+
+  /// Inverse depth of the nearest pixel in the middle of a cell.
+  static float nearest(const Image<float>& q, int column, int row) {
+    const int u = column * StandingEdges::kCell + StandingEdges::kCell / 2;
+    const int v = row * StandingEdges::kCell + StandingEdges::kCell / 2;
+    return std::max(std::max(q(u, v), q(u + 1, v)), std::max(q(u, v + 1), q(u + 1, v + 1)));
+  }
+
+  /// The exponent and two bits of the fraction, from 2^-15 1/m.
+  static std::size_t bin_of(float q) {
+    static_assert(sizeof(float) == sizeof(std::uint32_t));
+    std::uint32_t bits;
+    std::memcpy(&bits, &q, sizeof bits);
+    constexpr int kFirst = (127 - 15) * 4;
+    return static_cast<std::size_t>(std::clamp(static_cast<int>(bits >> 21) - kFirst, 0, static_cast<int>(kBins) - 1));
+  }
+
+  /// Decides which cells are fixed. @return whether parts were found that have held the camera.
+  bool decide() {
+    std::array<int, kBins> all{}, moving{};  // cells at least as far
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      if (!(cells_[i].q > 0)) continue;
+      const std::size_t bin = bin_of(cells_[i].q);
+      ++all[bin];
+      // A motion that is none is refuted by less.
+      moving[bin] += is_held() ? !edges_.stays(i) : edges_.moves(i);
+    }
+    for (std::size_t i = 1; i < kBins; ++i) all[i] += all[i - 1], moving[i] += moving[i - 1];
+    const auto most_move = [&](std::size_t bin) {
+      return all[bin] >= StandingEdges::kLeastCells && moving[bin] > kMost * all[bin];
+    };
+    int count = 0, sure = 0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      Cell& cell = cells_[i];
+      if (cell.q > 0 && edges_.stays(i) && (cell.tried == 0 || is_held())) {
+        const std::size_t bin = bin_of(cell.q);
+        // A large part outnumbers what is as far as itself.
+        if (most_move(bin) || (bin >= kFarther && most_move(bin - kFarther))) cell.crossed = kSuspected, cell.tried = 1;
+      }
+      fixed_[i] = cell.q > 0 && cell.crossed > kCrossed ? kFixed : 0;
+      count += fixed_[i];
+      sure += fixed_[i] && cell.tried >= kTrial;
+    }
+    const double least = kLeastShare * static_cast<double>(cells_.size());
+    share_ = sure >= least ? 1.0 * sure / static_cast<double>(cells_.size()) : 0;
+    const bool before = excludes_;
+    excludes_ = count >= least;
+    if (excludes_) spread();
+    return is_held() && excludes_ && !before;
+  }
+
+  /// Adds the cells beside fixed ones, unless their edges move: fixed parts have weak edges, too.
+  void spread() {
+    const int columns = edges_.columns(), rows = edges_.rows();
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column) {
+        if (fixed_[edges_.index(column, row)] != kFixed) continue;
+        for (int r = std::max(0, row - 1); r <= std::min(rows - 1, row + 1); ++r)
+          for (int c = std::max(0, column - 1); c <= std::min(columns - 1, column + 1); ++c) {
+            const std::size_t i = edges_.index(c, r);
+            if (!fixed_[i] && !edges_.moves(i)) fixed_[i] = kBeside;
+          }
+      }
+  }
+
+  StandingEdges edges_;
+  std::vector<Cell> cells_;
+  std::vector<std::uint8_t> fixed_;  ///< kFixed, kBeside or 0, of each cell
+  SE3d T_cur_last_;                  ///< camera motion from the last frame that counted to the newest one
+  bool known_ = true;                ///< whether it was measured
+  bool compared_ = false;            ///< whether `held_` has a value
+  bool excludes_ = false;            ///< whether the fixed parts are large enough to matter
+  float held_ = 0;                   ///< mean over the last frames that count: 1 where is_held
+  double share_ = 0;                 ///< see `share`
+};
+
+DOT_END_NAMESPACE

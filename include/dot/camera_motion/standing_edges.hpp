@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "dot/abi.hpp"
+#include "dot/frame/frame_data.hpp"
+#include "dot/image/image.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Tells which edges of the image stay where they are while others move.
+///
+/// The gradient g of each pixel is summed over the frames: sum g, and the sum of its lengths |g| = |gx| + |gy|. Where
+/// |sum g| is nearly sum |g| an edge has stayed. Only frames count in which many edges are others than in the last one
+/// that counted. So a camera that stands changes nothing, for however long, and a rate of frames does not matter. The
+/// sums are of cells of a coarse level of the pyramid.
+class StandingEdges {
+ public:
+  static constexpr int kCell = 4;            ///< pixels of the level, size of a cell
+  static constexpr int kMostPixels = 60000;  ///< of the level
+  static constexpr double kMemory = 0.6;     ///< seconds, time constant of the fading
+  static constexpr int kEnoughFrames = 3;    ///< that count, from which the sums tell something
+  static constexpr int kLeastCells = 20;     ///< with edges, to tell whether they move
+
+  /// Looks at the next frame. @param background zero where objects are, of full size. @return whether it counts.
+  bool add(const FrameData& frame, const Image<std::uint8_t>& background) {
+    choose_level(frame.pyramid);
+    const Image<std::uint8_t>& image = frame.pyramid.levels[level_];
+    const double seconds = frame.timestamp - timestamp_;
+    if (columns_ < 1 || rows_ < 1 || frame.is_repeated() || (frames_ > 0 && seconds < kShortest)) return false;
+    mark_objects(background);
+    if (frames_ > 0 && !has_changed(image)) return false;
+    if (frames_ == 0) clear_sums();
+    const double fade = 1 - std::exp(-std::min(seconds, kLongest) / kMemory);
+    frames_ = std::min(frames_ + 1, kEnoughFrames);
+    timestamp_ = frame.timestamp;
+    sum(image, static_cast<int>(65536 * fade));
+    before_ = image;
+    return true;
+  }
+
+  /// Whether enough frames have counted.
+  bool is_known() const { return frames_ >= kEnoughFrames; }
+  /// Level of the pyramid.
+  std::size_t level() const { return level_; }
+  /// Columns of cells. A cell begins at the pixel (1 + kCell column, 1 + kCell row) of the level.
+  int columns() const { return columns_; }
+  /// Rows of cells.
+  int rows() const { return rows_; }
+  /// Place of a cell in the arrays of cells.
+  std::size_t index(int column, int row) const { return at(column, row, columns_); }
+  /// Whether a cell has edges, and no object.
+  bool has_edges(std::size_t cell) const { return all_[cell] > 0 && !objects_[cell]; }
+  /// Whether its edges have stayed.
+  bool stays(std::size_t cell) const { return stay_[cell] > kStays * all_[cell]; }
+  /// Whether its edges have moved.
+  bool moves(std::size_t cell) const { return stay_[cell] < kMoves * all_[cell]; }
+
+  /// Pixels by which a shift by (du, dv), pixels of the level, moves a cell's edges across themselves.
+  float crossing(int column, int row, float du, float dv) const {
+    float moved = 0, all = 0;
+    for (int v = 1 + row * kCell; v <= (row + 1) * kCell; ++v)
+      for (int u = 1 + column * kCell; u <= (column + 1) * kCell; ++u) {
+        const std::size_t i = at(u, v, width_);
+        const auto x = static_cast<float>(x_[i]), y = static_cast<float>(y_[i]);
+        moved += std::abs(x * du + y * dv);
+        all += std::sqrt(x * x + y * y);
+      }
+    return all > 0 ? moved / all : 0;
+  }
+
+  /// Forgets all frames. Keeps the memory.
+  void forget() noexcept { frames_ = 0; }
+
+ private:
+  static constexpr double kShortest = 0.06;  ///< seconds between frames that count
+  static constexpr double kLongest = 0.2;    ///< seconds by which a frame fades the sums at most: a pause is no motion
+  static constexpr int kEdge = 4;            ///< grey values over two pixels, |gx| + |gy|
+  static constexpr int kUnit = 2;  ///< of the sums, over grey values: they fit 16 bits, even those of a cell's column
+  static constexpr float kStays = 0.95f, kMoves = 0.75f;  ///< |sum g| over sum |g|
+  static constexpr float kOther = 0.4f;     ///< |g - g'| over |g| + |g'|, from which an edge is another one
+  static constexpr double kChanged = 0.25;  ///< share of the cells with other edges, from which a frame counts
+
+  static std::size_t at(int column, int row, int columns) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+  }
+
+  void choose_level(const Pyramid& pyramid) {
+    std::size_t level = 0;
+    const auto pixels = [&](std::size_t l) { return pyramid.levels[l].width() * pyramid.levels[l].height(); };
+    while (level + 1 < pyramid.levels.size() && pixels(level) > kMostPixels) ++level;
+    const int width = pyramid.levels[level].width(), height = pyramid.levels[level].height();
+    if (width == width_ && height == height_ && level == level_) return;
+    level_ = level, width_ = width, height_ = height;
+    columns_ = std::max(0, width - 2) / kCell, rows_ = std::max(0, height - 2) / kCell;
+    for (auto* a : {&x_, &y_, &length_}) a->assign(at(0, height, width), 0);
+    for (auto* a : {&stay_, &all_}) a->assign(at(0, rows_, columns_), 0.f);
+    for (auto* a : {&row_, &row_all_}) a->assign(static_cast<std::size_t>(width), 0);
+    objects_.assign(at(0, rows_, columns_), 0);
+    forget();
+  }
+
+  void clear_sums() {
+    for (auto* a : {&x_, &y_, &length_}) std::fill(a->begin(), a->end(), std::int16_t{0});
+  }
+
+  /// Marks the cells whose middle is on an object.
+  void mark_objects(const Image<std::uint8_t>& background) {
+    const int size = kCell << level_, middle = (1 + kCell / 2) << level_;
+    for (int row = 0; row < rows_; ++row)
+      for (int column = 0; column < columns_; ++column)
+        objects_[index(column, row)] = background(column * size + middle, row * size + middle) == 0;
+  }
+
+  /// Calls visit(column, row, part, all) with the sums over each cell of what add_row(v, parts, alls) has added to the
+  /// columns of its rows v.
+  template <typename AddRow, typename Visit>
+  void for_each_cell(int row_step, AddRow&& add_row, Visit&& visit) {
+    for (int row = 0; row < rows_; ++row) {
+      std::fill(row_.begin(), row_.end(), std::uint16_t{0});
+      std::fill(row_all_.begin(), row_all_.end(), std::uint16_t{0});
+      for (int v = 1 + row * kCell; v <= (row + 1) * kCell; v += row_step) add_row(v, row_.data(), row_all_.data());
+      for (int column = 0; column < columns_; ++column) {
+        int part = 0, all = 0;
+        for (std::size_t i = 1 + at(kCell, column, kCell) - kCell, end = i + kCell; i < end; ++i)
+          part += row_[i], all += row_all_[i];
+        visit(index(column, row), part, all);
+      }
+    }
+  }
+
+  /// Whether many edges of the background are others than in the last frame that counted.
+  bool has_changed(const Image<std::uint8_t>& image) {
+    constexpr int kStep = 2;  // rows
+    int edges = 0, changed = 0;
+    for_each_cell(
+        kStep,
+        [&](int v, std::uint16_t* __restrict other, std::uint16_t* __restrict all) {
+          const std::uint8_t *a0 = image.row(v - 1), *a1 = image.row(v), *a2 = image.row(v + 1);
+          const std::uint8_t *b0 = before_.row(v - 1), *b1 = before_.row(v), *b2 = before_.row(v + 1);
+          for (int u = 1; u < width_ - 1; ++u) {
+            const int ax = a1[u + 1] - a1[u - 1], ay = a2[u] - a0[u], bx = b1[u + 1] - b1[u - 1], by = b2[u] - b0[u];
+            other[u] = static_cast<std::uint16_t>(other[u] + std::abs(ax - bx) + std::abs(ay - by));
+            all[u] = static_cast<std::uint16_t>(all[u] + std::abs(ax) + std::abs(ay) + std::abs(bx) + std::abs(by));
+          }
+        },
+        [&](std::size_t cell, int other, int all) {
+          const int is_edge = all > 2 * kEdge * kCell * kCell / kStep && !objects_[cell];
+          edges += is_edge;
+          changed += is_edge & (static_cast<float>(other) > kOther * static_cast<float>(all));
+        });
+    return edges >= kLeastCells && changed > kChanged * edges;
+  }
+
+  /// Adds a frame to the sums. @param fade share of the sums that is dropped, times 2^16.
+  void sum(const Image<std::uint8_t>& image, int fade) {
+    weight_ = frames_ > 1 ? weight_ - weight_ * static_cast<float>(fade) / 65536 + 1 : 1;
+    const int edge = static_cast<int>(kEdge * kUnit * weight_);
+    for_each_cell(
+        1,
+        [&](int v, std::uint16_t* stay, std::uint16_t* all) {
+          sum_row(image.row(v - 1), image.row(v), image.row(v + 1), fade, edge, x_.data() + at(0, v, width_),
+                  y_.data() + at(0, v, width_), length_.data() + at(0, v, width_), stay, all);
+        },
+        [&](std::size_t cell, int stay, int all) {
+          stay_[cell] = static_cast<float>(stay), all_[cell] = static_cast<float>(all);
+        });
+  }
+
+  void sum_row(const std::uint8_t* above, const std::uint8_t* here, const std::uint8_t* below, int fade, int edge,
+               std::int16_t* __restrict x, std::int16_t* __restrict y, std::int16_t* __restrict length,
+               std::uint16_t* __restrict stay, std::uint16_t* __restrict all) const {
+    const int width = width_;
+    for (int u = 1; u < width - 1; ++u) {
+      const int gx = kUnit * (here[u + 1] - here[u - 1]), gy = kUnit * (below[u] - above[u]);
+      const auto sx = static_cast<std::int16_t>(x[u] - ((x[u] * fade) >> 16) + gx);
+      const auto sy = static_cast<std::int16_t>(y[u] - ((y[u] * fade) >> 16) + gy);
+      const int size = std::abs(gx) + std::abs(gy);
+      const auto lengths = static_cast<std::int16_t>(length[u] - ((length[u] * fade) >> 16) + size);
+      x[u] = sx, y[u] = sy, length[u] = lengths;
+      const int is_edge = lengths > edge ? 0xffff : 0;
+      stay[u] = static_cast<std::uint16_t>(stay[u] + ((std::abs(sx) + std::abs(sy)) & is_edge));
+      all[u] = static_cast<std::uint16_t>(all[u] + (lengths & is_edge));
+    }
+  }
+
+  std::size_t level_ = 0;
+  int width_ = 0, height_ = 0, columns_ = 0, rows_ = 0;
+  int frames_ = 0;                            ///< that counted, at most kEnoughFrames
+  double timestamp_ = 0;                      ///< of the last one that counted, seconds
+  float weight_ = 0;                          ///< of all frames in the sums
+  Image<std::uint8_t> before_;                ///< the last frame that counted
+  std::vector<std::int16_t> x_, y_, length_;  ///< of each pixel: sums of gx, gy and |g|, in 1 / kUnit grey values
+  std::vector<float> stay_, all_;             ///< of each cell: |sum g| and sum |g| of its edges
+  std::vector<std::uint16_t> row_, row_all_;  ///< of each column: scratch
+  std::vector<std::uint8_t> objects_;         ///< of each cell
+};
+
+DOT_END_NAMESPACE

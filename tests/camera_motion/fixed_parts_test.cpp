@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/camera_motion/fixed_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "dot/camera/pinhole.hpp"
+#include "support/synthetic_scene.hpp"
+
+namespace {
+
+using dot::CameraStatus;
+using dot::CameraStep;
+using dot::FixedParts;
+using dot::Image;
+using dot::Vector3;
+using dot::test::small_camera;
+using dot::test::Texture;
+
+constexpr int kWidth = 320, kHeight = 240, kFirstFixedRow = 190;
+constexpr double kFocal = 200;
+
+/// A wall before a camera that moves to the right, and a part of the image that stays.
+struct Setting {
+  double rate = 10;          ///< frames a second
+  double speed = 0.6;        ///< m/s
+  double distance = 4;       ///< metres, of the wall
+  bool has_part = true;      ///< the lowest rows are fixed
+  double part_distance = 1;  ///< metres, that the depth image has there
+  bool is_held = false;      ///< the camera's motion is measured as none
+  int repeats = 0;           ///< FrameData::repeats of each frame
+};
+
+class Camera {
+ public:
+  explicit Camera(const Setting& setting) : setting(setting), camera_(small_camera()), background_(kWidth, kHeight) {
+    background_.fill(255);
+  }
+
+  Setting setting;
+  FixedParts parts;
+  bool found = false;  ///< parts that held the camera, in any frame
+
+  void drive(double seconds) {
+    const int frames = static_cast<int>(std::lround(seconds * setting.rate));
+    for (int i = 0; i < frames; ++i) next();
+  }
+
+  /// Share of the rows from `first` to `end` that is excluded.
+  double excluded(int first, int end) const {
+    Image<std::uint8_t> mask(kWidth, kHeight);
+    mask.fill(255);
+    parts.exclude(mask);
+    int count = 0;
+    for (int y = first; y < end; ++y)
+      for (int x = 0; x < kWidth; ++x) count += mask(x, y) == 0;
+    return static_cast<double>(count) / ((end - first) * kWidth);
+  }
+  double of_part() const { return excluded(kFirstFixedRow, kHeight); }
+  double of_scene() const { return excluded(0, kFirstFixedRow - 16); }
+
+ private:
+  void next() {
+    const double way = setting.speed / setting.rate;
+    position_ += way, time_ += 1 / setting.rate;
+    const int shift = static_cast<int>(std::lround(kSteps * position_ * kFocal / setting.distance));
+    Image<std::uint8_t> grey(kWidth, kHeight);
+    Image<float> q(kWidth, kHeight);
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        const bool fixed = setting.has_part && y >= kFirstFixedRow;
+        grey(x, y) = fixed ? part_(x, y) : wall_((kSteps * x + shift) % wall_.width(), y);
+        q(x, y) = static_cast<float>(1 / (fixed ? setting.part_distance : setting.distance));
+      }
+    frame_.timestamp = time_;
+    frame_.repeats = setting.repeats;
+    frame_.pyramid.build(std::as_const(grey).view(), 3);
+    frame_.depth.build(
+        kWidth, kHeight, [&](int y, float* out) { std::copy_n(q.row(y), kWidth, out); }, 3);
+    CameraStep step;
+    step.status = CameraStatus::Tracked;
+    step.seconds = 1 / setting.rate;
+    if (!setting.is_held) step.T_cur_prev = dot::SE3d::translation(Vector3<double>(-way, 0, 0));
+    found |= parts.look(frame_, background_, step, camera_);
+  }
+
+  static constexpr int kSteps = 2;  ///< of the wall's image, a pixel
+
+  /// @param step pixels from column to column.
+  static Image<std::uint8_t> paint(unsigned seed, double step, int width) {
+    const Texture texture(seed, 12, 100);
+    Image<std::uint8_t> out(width, kHeight);
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < width; ++x) out(x, y) = static_cast<std::uint8_t>(texture(step * x, y));
+    return out;
+  }
+
+  dot::Pinhole camera_;
+  Image<std::uint8_t> background_;
+  dot::FrameData frame_;
+  Image<std::uint8_t> wall_ = paint(1, 1.0 / kSteps, 2048), part_ = paint(2, 1, kWidth);
+  double position_ = 0, time_ = 1000;
+};
+
+TEST(FixedParts, AreFoundWhileTheSceneMovesAtAnyFrameRate) {
+  for (const double rate : {5, 10, 30, 60}) {
+    Setting setting;
+    setting.rate = rate;
+    Camera camera(setting);
+    camera.drive(1);
+    EXPECT_GT(camera.of_part(), 0.9) << rate;
+    camera.drive(4);
+    EXPECT_GT(camera.of_part(), 0.9) << rate;
+    EXPECT_LT(camera.of_scene(), 0.01) << rate;
+    EXPECT_NEAR(camera.parts.share(), 0.2, 0.03) << rate;
+    EXPECT_FALSE(camera.found) << "the camera was not held";
+  }
+}
+
+TEST(FixedParts, AreFoundThoughTheyHoldTheCamera) {
+  Setting setting;
+  setting.is_held = true;
+  Camera camera(setting);
+  camera.drive(3);
+  EXPECT_TRUE(camera.found);
+  EXPECT_GT(camera.of_part(), 0.9);
+  EXPECT_LT(camera.of_scene(), 0.01);
+}
+
+TEST(FixedParts, AreNotInASceneThatMoves) {
+  Setting setting;
+  setting.has_part = false;
+  Camera camera(setting);
+  camera.drive(5);
+  EXPECT_EQ(camera.excluded(0, kHeight), 0);
+  EXPECT_EQ(camera.parts.share(), 0);
+}
+
+TEST(FixedParts, AreNotKnownToACameraThatStands) {
+  Setting setting;
+  setting.speed = 0;
+  Camera camera(setting);
+  camera.drive(10);
+  EXPECT_EQ(camera.excluded(0, kHeight), 0);
+}
+
+// The lowest rows are as a far scene is to a camera that moves to the right.
+TEST(FixedParts, AreNotWhatIsFar) {
+  Setting setting;
+  setting.part_distance = 1000;
+  Camera camera(setting);
+  camera.drive(5);
+  EXPECT_EQ(camera.excluded(0, kHeight), 0);
+  EXPECT_EQ(camera.parts.share(), 0);
+}
+
+TEST(FixedParts, AreRememberedWhileTheCameraStands) {
+  Camera camera({});
+  camera.drive(3);
+  camera.setting.speed = 0;
+  camera.drive(60);
+  EXPECT_GT(camera.of_part(), 0.9);
+  EXPECT_GT(camera.parts.share(), 0.15);
+}
+
+TEST(FixedParts, AreForgottenWhenTheyAreGone) {
+  Camera camera({});
+  camera.drive(3);
+  ASSERT_GT(camera.of_part(), 0.9);
+  camera.setting.has_part = false;
+  camera.drive(3);
+  EXPECT_EQ(camera.excluded(0, kHeight), 0);
+  EXPECT_EQ(camera.parts.share(), 0);
+}
+
+TEST(FixedParts, AreNotLearntFromRepeatedImages) {
+  Setting setting;
+  setting.repeats = 1;
+  Camera camera(setting);
+  camera.drive(3);
+  EXPECT_EQ(camera.excluded(0, kHeight), 0);
+}
+
+TEST(FixedParts, AreForgotten) {
+  Camera camera({});
+  camera.drive(3);
+  ASSERT_GT(camera.of_part(), 0.9);
+  camera.parts.forget();
+  EXPECT_EQ(camera.excluded(0, kHeight), 0);
+  EXPECT_EQ(camera.parts.share(), 0);
+  camera.drive(0.1);
+  EXPECT_EQ(camera.excluded(0, kHeight), 0);
+  camera.drive(2);
+  EXPECT_GT(camera.of_part(), 0.9);
+}
+
+TEST(FixedParts, AreNoneInAnImageThatIsTooSmall) {
+  dot::FrameData frame;
+  frame.pyramid.levels.resize(1);
+  frame.depth.levels.resize(1);
+  frame.pyramid.levels[0] = Image<std::uint8_t>(5, 5);
+  frame.depth.levels[0] = Image<float>(5, 5);
+  Image<std::uint8_t> background(5, 5);
+  FixedParts parts;
+  for (int i = 0; i < 10; ++i) {
+    frame.timestamp = i;
+    EXPECT_FALSE(parts.look(frame, background, {}, dot::Pinhole(small_camera())));
+  }
+  parts.exclude(background);
+  EXPECT_EQ(parts.share(), 0);
+}
+
+}  // namespace

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+
+// A part of the image that does not move with the scene does not hold the camera for long.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "dot/dot.hpp"
+#include "support/film.hpp"
+
+namespace {
+
+using dot::Dot;
+using dot::Options;
+using dot::Pinhole;
+using dot::Result;
+using dot::State;
+using dot::Vector3;
+using namespace dot::test;
+
+constexpr std::uint32_t parked = 1;
+constexpr int kFirstRow = 130;  ///< of the part, which reaches to the bottom
+
+/// Pillars at several distances, without masks: before a bare wall a camera that turns looks like one that moves.
+void add_pillars(Film<>& film) {
+  unsigned seed = 500;
+  for (const Vector3<double>& at : {Vector3<double>(-2.5, -1, 6), {0.5, -1.5, 10}, {4, -1, 7}, {6.5, -1, 8}}) {
+    Body pillar = box(0, {0.7, 2, 0.7}, seed += 10, 0.25, 1.2);
+    for (Quad& quad : pillar.quads) quad.centre += at;
+    film.add(pillar, straight(Vector3<double>::Zero()));
+  }
+}
+
+/// A camera that moves to the side past a parked car.
+Film<> passing(bool has_part) {
+  Film<> film;
+  film.camera_path = straight(Vector3<double>::Zero(), {1.2, 0, 0.4});
+  film.degradation.noise = 1;
+  add_pillars(film);
+  film.add(parked, straight({2.5, 0, 9}));
+  if (has_part) {
+    const Texture texture(77, 10, 40, 40);
+    film.spoil = [texture](int, Rendering& seen) {
+      for (int y = kFirstRow; y < seen.grey.height(); ++y)
+        for (int x = 0; x < seen.grey.width(); ++x) {
+          seen.grey(x, y) = static_cast<std::uint8_t>(std::clamp(texture(x, y), 0.0, 255.0));
+          seen.depth(x, y) = 1.2F;
+          seen.ids(x, y) = 0;
+        }
+    };
+  }
+  return film;
+}
+
+Dot<> make_dot() {
+  Options options;
+  options.depth_noise.source = dot::DepthSource::Stereo;
+  return Dot<>(Pinhole(small_camera()), options);
+}
+
+TEST(FixedPart, DoesNotHoldTheCamera) {
+  Film<> film = passing(true);
+  Dot<> dot = make_dot();
+  for (int i = 0; i < 35; ++i) {
+    const Result& result = film.next(dot);
+    if (i < 10) continue;
+    const auto& T = result.camera.T_cur_prev;
+    const Vector3<double> error = Vector3<double>(T[3], T[7], T[11]) - film.T_c().t;
+    EXPECT_LT(error.norm(), 0.02) << "frame " << i;
+    const dot::ObjectResult* o = object_on(result, film.truth().ids, parked);
+    ASSERT_TRUE(o) << "frame " << i;
+    if (i >= 28) {
+      EXPECT_EQ(o->state, State::Static) << "frame " << i << ": " << describe(o);
+      EXPECT_EQ(result.diagnosis.reason, dot::Suspicion::FixedPart) << "frame " << i;
+      EXPECT_NEAR(result.diagnosis.figure, 0.42, 0.08) << "frame " << i;
+    }
+  }
+}
+
+TEST(FixedPart, IsNotSuspectedInAScene) {
+  Film<> film = passing(false);
+  Dot<> dot = make_dot();
+  for (int i = 0; i < 30; ++i) EXPECT_EQ(film.next(dot).diagnosis.reason, dot::Suspicion::None) << "frame " << i;
+}
+
+}  // namespace

@@ -38,7 +38,7 @@ struct Setting {
 
 class Camera {
  public:
-  explicit Camera(const Setting& setting) : setting(setting), camera_(small_camera()), background_(kWidth, kHeight) {
+  explicit Camera(const Setting& chosen) : setting(chosen), camera_(small_camera()), background_(kWidth, kHeight) {
     background_.fill(255);
   }
 

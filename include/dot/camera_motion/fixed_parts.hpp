@@ -96,8 +96,8 @@ class FixedParts {
 
   void resize(std::size_t cells) {
     if (cells_.size() == cells) return;
-    cells_.assign(cells, {});
     fixed_.assign(cells, 0);
+    cells_.assign(cells, {});
   }
 
   /// Adds what the camera's motion since the last frame that counted should have done to the cells' edges.

@@ -98,13 +98,14 @@ class StandingEdges {
     while (level + 1 < pyramid.levels.size() && pixels(level) > kMostPixels) ++level;
     const int width = pyramid.levels[level].width(), height = pyramid.levels[level].height();
     if (width == width_ && height == height_ && level == level_) return;
-    level_ = level, width_ = width, height_ = height;
-    columns_ = std::max(0, width - 2) / kCell, rows_ = std::max(0, height - 2) / kCell;
-    for (auto* a : {&x_, &y_, &length_}) a->assign(at(0, height, width), 0);
-    for (auto* a : {&stay_, &all_}) a->assign(at(0, rows_, columns_), 0.f);
-    for (auto* a : {&row_, &row_all_}) a->assign(static_cast<std::size_t>(width), 0);
-    objects_.assign(at(0, rows_, columns_), 0);
+    const int columns = std::max(0, width - 2) / kCell, rows = std::max(0, height - 2) / kCell;
     forget();
+    for (auto* a : {&x_, &y_, &length_}) a->assign(at(0, height, width), 0);
+    for (auto* a : {&stay_, &all_}) a->assign(at(0, rows, columns), 0.f);
+    for (auto* a : {&row_, &row_all_}) a->assign(static_cast<std::size_t>(width), 0);
+    objects_.assign(at(0, rows, columns), 0);
+    // Set after the calls that may throw, so that the size is always correct.
+    level_ = level, width_ = width, height_ = height, columns_ = columns, rows_ = rows;
   }
 
   void clear_sums() {

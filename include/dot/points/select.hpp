@@ -124,7 +124,10 @@ struct Selector {
     for (int l = 0; l < points.levels; ++l) {
       const Image<std::uint8_t>& image = pyramid.levels[static_cast<std::size_t>(l)];
       const auto k = static_cast<std::size_t>(l);
-      for (auto* a : {&points.intensity[k], &points.gu[k], &points.gv[k]}) a->resize(points.u.size());
+      for (auto* a : {&points.intensity[k], &points.gu[k], &points.gv[k]}) {
+        a->reserve(points.u.capacity());  // the number varies from frame to frame
+        a->resize(points.u.size());
+      }
       kernels.sample({image.row(0), image.width(), image.height(), image.width()}, 1.f / static_cast<float>(1 << l),
                      points.u.data(), points.v.data(), points.size(),
                      {points.intensity[k].data(), points.gu[k].data(), points.gv[k].data()});

@@ -110,7 +110,7 @@ TEST(Watch, SuspectsNothingOfACameraThatStands) {
     const int standing = i < 30 ? 0 : i < 60 ? i - 30 : 30;
     dot::FrameData frame = scene(100 + standing);
     frame.repeats = i < 30 ? i : i <= 60 ? 0 : i - 60;
-    EXPECT_EQ(watch.look(frame, noise, i > 0 ? 0.1 : 0, 1, false, 0).reason, Suspicion::None) << i;
+    EXPECT_EQ(watch.look(frame, noise, i > 0 ? 0.1 : 0, 1, false).reason, Suspicion::None) << i;
   }
 }
 
@@ -153,7 +153,7 @@ TEST(Watch, TellsLittleTextureFromDepthThatComesWithSomeFrames) {
     dot::FrameData frame = scene(100 + i);
     const bool without = i % 3 != 0;
     if (without) frame.depth.levels[0].fill(0);
-    const Diagnosis diagnosis = watch.look(frame, noise, i > 0 ? 0.1 : 0, 1, without, 0);
+    const Diagnosis diagnosis = watch.look(frame, noise, i > 0 ? 0.1 : 0, 1, without);
     if (i < 20) continue;
     EXPECT_EQ(diagnosis.reason, Suspicion::TooLittleDepth) << i;
     EXPECT_EQ(diagnosis.figure, 0) << i;
@@ -173,10 +173,10 @@ TEST(Watch, NoticesDepthThatIsCutOff) {
 TEST(Watch, ForgetsOnRequest) {
   dot::Watch watch;
   const dot::DepthNoise noise(dot::DepthNoiseSettings{}, dot::Intrinsics{300, 300, 160, 120, kWidth, kHeight, 0});
-  for (int i = 0; i < 20; ++i) watch.look(scene(i), noise, i > 0 ? 100 : 0, 1, false, 0);
-  EXPECT_EQ(watch.look(scene(20), noise, 100, 1, false, 0).reason, Suspicion::ImplausibleTimes);
+  for (int i = 0; i < 20; ++i) watch.look(scene(i), noise, i > 0 ? 100 : 0, 1, false);
+  EXPECT_EQ(watch.look(scene(20), noise, 100, 1, false).reason, Suspicion::ImplausibleTimes);
   watch.forget();
-  EXPECT_EQ(watch.look(scene(21), noise, 0, 1, false, 0).reason, Suspicion::None);
+  EXPECT_EQ(watch.look(scene(21), noise, 0, 1, false).reason, Suspicion::None);
 }
 
 TEST(Watch, TakesImagesTooSmallToTell) {
@@ -189,8 +189,7 @@ TEST(Watch, TakesImagesTooSmallToTell) {
     for (int x = 0; x < 8; ++x) small.pyramid.levels[0](x, y) = 100, small.depth.levels[0](x, y) = 0.5f;
   dot::Watch watch;
   const dot::DepthNoise noise(dot::DepthNoiseSettings{}, dot::Intrinsics{8, 8, 4, 4, 8, 8, 0});
-  for (int i = 0; i < 20; ++i)
-    EXPECT_EQ(watch.look(small, noise, i > 0 ? 0.1 : 0, 1, false, 0).reason, Suspicion::None);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(watch.look(small, noise, i > 0 ? 0.1 : 0, 1, false).reason, Suspicion::None);
 }
 
 TEST(Suspicion, HasNames) {

@@ -19,11 +19,12 @@ DOT_BEGIN_NAMESPACE
 /// border of an undistorted image, a caption, dirt on the lens. Their edges fit a camera that stands perfectly. With
 /// points on them the camera's motion is zero, or turns about them.
 ///
-/// What is far stays in the image as well, so an edge that stays is suspected only if most edges that are at least as
+/// What is far stays in the image as well, so an edge that stays is suspected only if many edges that are at least as
 /// far move. What the camera moves to or turns about stays, too, and edges along their own motion in the image, such as
-/// those of a road. The camera's motion explains these, but only if it is measured without fixed parts. So suspected
-/// edges are excluded on trial. They are admitted again if by the motion that is measured without them they cannot have
-/// moved across themselves. While the camera's motion is none though most edges move, the trial goes on.
+/// those of a road. The camera's motion tells these: by it they have not moved across themselves. But fixed parts may
+/// have spoilt that motion. So suspected edges are excluded on trial if they are many, or if the motion is *refuted*:
+/// it does not explain how most of the others have changed. They are admitted again if the motion that is measured
+/// without them explains that they stay.
 class FixedParts {
  public:
   static constexpr double kLeastShare = 0.04;  ///< of the image; less does not hold the camera
@@ -37,7 +38,7 @@ class FixedParts {
     known_ = known_ && step.known();
     if (!edges_.add(frame, background)) return false;
     resize(edges_.index(0, edges_.rows()));
-    compare(frame.depth.levels[edges_.level()], camera);
+    if (edges_.has_two_frames()) compare(frame.depth.levels[edges_.level()], camera);
     T_cur_last_ = {};
     known_ = true;
     return edges_.is_known() && decide();
@@ -70,26 +71,26 @@ class FixedParts {
     for (Cell& cell : cells_) cell = {};
     T_cur_last_ = {};
     known_ = true, compared_ = false, excludes_ = false;
-    held_ = 0;
+    refuted_ = 0;
     share_ = 0;
   }
 
  private:
   static constexpr float kKeep = 0.8f;        ///< of `crossed`, from one frame that counts to the next
   static constexpr float kMostShift = 1.5f;   ///< pixels of the level: longer ones tell no more
-  static constexpr float kCrossed = 1.5f;     ///< pixels of the level that an edge should have moved across itself
-  static constexpr float kSuspected = 3;      ///< the same, assumed at first: a trial of four frames
-  static constexpr float kStill = 0.3f;       ///< pixels of the level: a smaller shift is none
+  static constexpr float kCrossed = 2.5f;     ///< pixels of the level that an edge should have moved across itself
+  static constexpr float kSuspected = 5;      ///< the same, assumed where the motion is refuted: a trial of four frames
   static constexpr int kLeastCompared = 5;    ///< cells
-  static constexpr int kTrial = 8;            ///< frames that count, after which a part is sure
-  static constexpr double kMost = 0.4;        ///< share of the cells with edges: some of them stay in any scene
+  static constexpr int kTrial = 8;            ///< frames that count, after which a trial is over
+  static constexpr double kMoving = 0.4;      ///< share of the cells with edges: some of them stay in any scene
+  static constexpr double kManyShare = 0.08;  ///< of the image, that is excluded on trial though the motion seems right
   static constexpr std::size_t kFarther = 2;  ///< bins
   static constexpr std::size_t kBins = 96;    ///< of the inverse depth, four an octave
 
   struct Cell {
     float q = 0;        ///< 1/m; 0: it has no depth, no edges, or an object
     float crossed = 0;  ///< pixels of the level by which its edges should have moved across themselves
-    int tried = 0;      ///< frames that count since it was suspected first, 0: never
+    int tried = 0;      ///< frames that count since it was excluded on trial, 0: it was not
   };
 
   static constexpr std::uint8_t kFixed = 1, kBeside = 2;
@@ -103,13 +104,13 @@ class FixedParts {
   /// Adds what the camera's motion since the last frame that counted should have done to the cells' edges.
   template <typename Camera>
   void compare(const Image<float>& inverse_depth, const Camera& camera) {
-    constexpr int kEvery = 3;  // of the moving cells are enough
+    constexpr int kEvery = 3;  // of the cells are enough
     constexpr float kCell = StandingEdges::kCell, kMiddle = 1 + 0.5f * kCell;
     const SE3d T_last_cur = T_cur_last_.inverse();
     const Matrix3<float> R = T_last_cur.R.cast<float>();
     const Vector3<float> t = T_last_cur.t.cast<float>();
     const float pixel = static_cast<float>(1 << edges_.level());
-    int moving = 0, still = 0;
+    int changed = 0, explained = 0;
     for (int row = 0; row < edges_.rows(); ++row)
       for (int column = 0; column < edges_.columns(); ++column) {
         const std::size_t i = edges_.index(column, row);
@@ -117,34 +118,35 @@ class FixedParts {
         cell.q = edges_.has_edges(i) ? nearest(inverse_depth, column, row) : 0;
         const bool moves = edges_.moves(i);
         if (moves) cell.crossed = 0, cell.tried = 0;
-        if (known_ && !is_held()) {
+        if (known_ && !is_refuted()) {
           cell.crossed *= kKeep;
           if (cell.tried > 0) cell.tried = std::min(cell.tried + 1, kTrial);
         }
-        const bool counts = moves ? (row + column) % kEvery == 0 : cell.tried > 0 || edges_.stays(i);
-        if (!known_ || !(cell.q > 0) || !counts) continue;
+        const bool tells = edges_.is_other(i) && (row + column) % kEvery == 0;
+        const bool is_asked = !moves && (cell.tried > 0 || edges_.stays(i));
+        if (!known_ || !(cell.q > 0) || !(tells || is_asked)) continue;
         const Vector2<float> place(pixel * (kCell * static_cast<float>(column) + kMiddle) - 0.5f,
                                    pixel * (kCell * static_cast<float>(row) + kMiddle) - 0.5f);
         const Vector3<float> X = R * camera.template unproject<float>(place) + cell.q * t;
         if (X.z() < 1e-3f) continue;
         const Vector2<float> shift = (camera.template project<float>(X) - place) / pixel;
-        const float length = shift.norm();
-        if (moves) {
-          ++moving;
-          still += length < kStill;
-        } else {
+        const auto change = edges_.change(column, row, shift.x(), shift.y());
+        changed += tells;
+        explained += tells && change.is_explained();
+        if (is_asked && change.is_contradicted()) {
+          const float length = shift.norm();
           const float shorten = length > kMostShift ? kMostShift / length : 1;
           cell.crossed += edges_.crossing(column, row, shorten * shift.x(), shorten * shift.y());
         }
       }
-    if (!known_ || moving < kLeastCompared) return;
+    if (!known_ || changed < kLeastCompared) return;
     constexpr float kShareOfNew = 0.3f;
-    held_ += (compared_ ? kShareOfNew : 1) * ((2 * still > moving ? 1.f : 0.f) - held_);
+    refuted_ += (compared_ ? kShareOfNew : 1) * ((2 * explained < changed ? 1.f : 0.f) - refuted_);
     compared_ = true;
   }
 
-  /// Whether the camera's motion is none, though edges move.
-  bool is_held() const { return held_ > 0.5f; }
+  /// Whether the camera's motion does not explain how edges move.
+  bool is_refuted() const { return refuted_ > 0.5f; }
 
   /// Inverse depth of the nearest pixel in the middle of a cell.
   static float nearest(const Image<float>& q, int column, int row) {
@@ -162,38 +164,51 @@ class FixedParts {
     return static_cast<std::size_t>(std::clamp(static_cast<int>(bits >> 21) - kFirst, 0, static_cast<int>(kBins) - 1));
   }
 
-  /// Decides which cells are fixed. @return whether parts were found that have held the camera.
-  bool decide() {
+  /// Begins a trial of the cells that stay though many that are at least as far move, if there are many of them or if
+  /// the motion is refuted.
+  void suspect() {
     std::array<int, kBins> all{}, moving{};  // cells at least as far
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       if (!(cells_[i].q > 0)) continue;
       const std::size_t bin = bin_of(cells_[i].q);
       ++all[bin];
-      // A motion that is none is refuted by less.
-      moving[bin] += is_held() ? !edges_.stays(i) : edges_.moves(i);
+      moving[bin] += is_refuted() ? !edges_.stays(i) : edges_.moves(i);
     }
     for (std::size_t i = 1; i < kBins; ++i) all[i] += all[i - 1], moving[i] += moving[i - 1];
-    const auto most_move = [&](std::size_t bin) {
-      return all[bin] >= StandingEdges::kLeastCells && moving[bin] > kMost * all[bin];
+    const auto many_move = [&](std::size_t bin) {
+      return all[bin] >= StandingEdges::kLeastCells && moving[bin] > kMoving * all[bin];
     };
+    const auto is_suspected = [&](std::size_t i) {
+      if (!(cells_[i].q > 0) || !edges_.stays(i)) return false;
+      const std::size_t bin = bin_of(cells_[i].q);
+      // A large part outnumbers what is as far as itself.
+      return many_move(bin) || (bin >= kFarther && many_move(bin - kFarther));
+    };
+    int suspected = 0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) suspected += is_suspected(i);
+    if (!is_refuted() && suspected < kManyShare * static_cast<double>(cells_.size())) return;
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+      if ((is_refuted() || cells_[i].tried == 0) && is_suspected(i))
+        cells_[i].crossed = kSuspected, cells_[i].tried = 1;
+  }
+
+  /// Decides which cells are fixed. @return whether parts were found that have held the camera.
+  bool decide() {
+    suspect();
     int count = 0, sure = 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-      Cell& cell = cells_[i];
-      if (cell.q > 0 && edges_.stays(i) && (cell.tried == 0 || is_held())) {
-        const std::size_t bin = bin_of(cell.q);
-        // A large part outnumbers what is as far as itself.
-        if (most_move(bin) || (bin >= kFarther && most_move(bin - kFarther))) cell.crossed = kSuspected, cell.tried = 1;
-      }
+      const Cell& cell = cells_[i];
       fixed_[i] = cell.q > 0 && cell.crossed > kCrossed ? kFixed : 0;
       count += fixed_[i];
-      sure += fixed_[i] && cell.tried >= kTrial;
+      sure += fixed_[i] && (cell.tried == 0 || cell.tried >= kTrial);
     }
     const double least = kLeastShare * static_cast<double>(cells_.size());
-    share_ = sure >= least ? 1.0 * sure / static_cast<double>(cells_.size()) : 0;
     const bool before = excludes_;
     excludes_ = count >= least;
     if (excludes_) spread();
-    return is_held() && excludes_ && !before;
+    const auto fixed = std::count_if(fixed_.begin(), fixed_.end(), [](std::uint8_t f) { return f != 0; });
+    share_ = sure >= least ? static_cast<double>(fixed) / static_cast<double>(cells_.size()) : 0;
+    return is_refuted() && excludes_ && !before;
   }
 
   /// Adds the cells beside fixed ones, unless their edges move: fixed parts have weak edges, too.
@@ -215,9 +230,9 @@ class FixedParts {
   std::vector<std::uint8_t> fixed_;  ///< kFixed, kBeside or 0, of each cell
   SE3d T_cur_last_;                  ///< camera motion from the last frame that counted to the newest one
   bool known_ = true;                ///< whether it was measured
-  bool compared_ = false;            ///< whether `held_` has a value
+  bool compared_ = false;            ///< whether `refuted_` has a value
   bool excludes_ = false;            ///< whether the fixed parts are large enough to matter
-  float held_ = 0;                   ///< mean over the last frames that count: 1 where is_held
+  float refuted_ = 0;                ///< mean over the last frames that count, 0 to 1
   double share_ = 0;                 ///< see `share`
 };
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "dot/abi.hpp"
@@ -37,15 +38,18 @@ class StandingEdges {
     if (columns_ < 1 || rows_ < 1 || frame.is_repeated() || (frames_ > 0 && seconds < kShortest)) return false;
     mark_objects(background);
     if (frames_ > 0 && !has_changed(image)) return false;
+    std::swap(newest_, before_);
+    newest_ = image;
     if (frames_ == 0) clear_sums();
     const double fade = 1 - std::exp(-std::min(seconds, kLongest) / kMemory);
     frames_ = std::min(frames_ + 1, kEnoughFrames);
     timestamp_ = frame.timestamp;
     sum(image, static_cast<int>(65536 * fade));
-    before_ = image;
     return true;
   }
 
+  /// Whether there is a frame that counted before the newest.
+  bool has_two_frames() const { return frames_ > 1; }
   /// Whether enough frames have counted.
   bool is_known() const { return frames_ >= kEnoughFrames; }
   /// Level of the pyramid.
@@ -58,6 +62,8 @@ class StandingEdges {
   std::size_t index(int column, int row) const { return at(column, row, columns_); }
   /// Whether a cell has edges, and no object.
   bool has_edges(std::size_t cell) const { return all_[cell] > 0 && !objects_[cell]; }
+  /// Whether its edges are others than in the frame that counted before the newest.
+  bool is_other(std::size_t cell) const { return other_[cell]; }
   /// Whether its edges have stayed.
   bool stays(std::size_t cell) const { return stay_[cell] > kStays * all_[cell]; }
   /// Whether its edges have moved.
@@ -76,10 +82,45 @@ class StandingEdges {
     return all > 0 ? moved / all : 0;
   }
 
+  /// How well a shift by (du, dv), pixels of the level, to the frame that counted before the newest explains a cell's
+  /// change between these two: the variance of the difference with the shift and without one.
+  struct Change {
+    float shifted = 0, unshifted = 0;
+    bool is_explained() const { return 2 * shifted < unshifted; }
+    bool is_contradicted() const { return shifted > 2 * unshifted; }
+  };
+  Change change(int column, int row, float du, float dv) const {
+    const int u0 = 1 + column * kCell, v0 = 1 + row * kCell;
+    const float x = static_cast<float>(u0) + du, y = static_cast<float>(v0) + dv;
+    constexpr auto kSize = static_cast<float>(kCell);
+    if (!(x >= 0 && y >= 0 && x + kSize < static_cast<float>(width_) && y + kSize < static_cast<float>(height_)))
+      return {};
+    const int left = static_cast<int>(x), top = static_cast<int>(y);
+    const float right = x - static_cast<float>(left), below = y - static_cast<float>(top);
+    Variance shifted, unshifted;
+    for (int v = 0; v < kCell; ++v)
+      for (int u = 0; u < kCell; ++u) {
+        const float now = newest_(u0 + u, v0 + v);
+        const std::uint8_t *a = before_.row(top + v) + left + u, *b = before_.row(top + v + 1) + left + u;
+        const float above = a[0] + right * static_cast<float>(a[1] - a[0]);
+        const float under = b[0] + right * static_cast<float>(b[1] - b[0]);
+        shifted.add(now - above - below * (under - above));
+        unshifted.add(now - before_(u0 + u, v0 + v));
+      }
+    return {shifted.value(), unshifted.value()};
+  }
+
   /// Forgets all frames. Keeps the memory.
   void forget() noexcept { frames_ = 0; }
 
  private:
+  /// Of the pixels of a cell.
+  struct Variance {
+    float sum = 0, squares = 0;
+    void add(float value) { sum += value, squares += value * value; }
+    float value() const { return (squares - sum * sum / (kCell * kCell)) / (kCell * kCell); }
+  };
+
   static constexpr double kShortest = 0.06;  ///< seconds between frames that count
   static constexpr double kLongest = 0.2;    ///< seconds by which a frame fades the sums at most: a pause is no motion
   static constexpr int kEdge = 4;            ///< grey values over two pixels, |gx| + |gy|
@@ -103,7 +144,7 @@ class StandingEdges {
     for (auto* a : {&x_, &y_, &length_}) a->assign(at(0, height, width), 0);
     for (auto* a : {&stay_, &all_}) a->assign(at(0, rows, columns), 0.f);
     for (auto* a : {&row_, &row_all_}) a->assign(static_cast<std::size_t>(width), 0);
-    objects_.assign(at(0, rows, columns), 0);
+    for (auto* a : {&objects_, &other_}) a->assign(at(0, rows, columns), 0);
     // Set after the calls that may throw, so that the size is always correct.
     level_ = level, width_ = width, height_ = height, columns_ = columns, rows_ = rows;
   }
@@ -145,7 +186,7 @@ class StandingEdges {
         kStep,
         [&](int v, std::uint16_t* __restrict other, std::uint16_t* __restrict all) {
           const std::uint8_t *a0 = image.row(v - 1), *a1 = image.row(v), *a2 = image.row(v + 1);
-          const std::uint8_t *b0 = before_.row(v - 1), *b1 = before_.row(v), *b2 = before_.row(v + 1);
+          const std::uint8_t *b0 = newest_.row(v - 1), *b1 = newest_.row(v), *b2 = newest_.row(v + 1);
           for (int u = 1; u < width_ - 1; ++u) {
             const int ax = a1[u + 1] - a1[u - 1], ay = a2[u] - a0[u], bx = b1[u + 1] - b1[u - 1], by = b2[u] - b0[u];
             other[u] = static_cast<std::uint16_t>(other[u] + std::abs(ax - bx) + std::abs(ay - by));
@@ -154,8 +195,9 @@ class StandingEdges {
         },
         [&](std::size_t cell, int other, int all) {
           const int is_edge = all > 2 * kEdge * kCell * kCell / kStep && !objects_[cell];
+          other_[cell] = is_edge & (static_cast<float>(other) > kOther * static_cast<float>(all));
           edges += is_edge;
-          changed += is_edge & (static_cast<float>(other) > kOther * static_cast<float>(all));
+          changed += other_[cell];
         });
     return edges >= kLeastCells && changed > kChanged * edges;
   }
@@ -194,14 +236,14 @@ class StandingEdges {
 
   std::size_t level_ = 0;
   int width_ = 0, height_ = 0, columns_ = 0, rows_ = 0;
-  int frames_ = 0;                            ///< that counted, at most kEnoughFrames
-  double timestamp_ = 0;                      ///< of the last one that counted, seconds
-  float weight_ = 0;                          ///< of all frames in the sums
-  Image<std::uint8_t> before_;                ///< the last frame that counted
-  std::vector<std::int16_t> x_, y_, length_;  ///< of each pixel: sums of gx, gy and |g|, in 1 / kUnit grey values
-  std::vector<float> stay_, all_;             ///< of each cell: |sum g| and sum |g| of its edges
-  std::vector<std::uint16_t> row_, row_all_;  ///< of each column: scratch
-  std::vector<std::uint8_t> objects_;         ///< of each cell
+  int frames_ = 0;                             ///< that counted, at most kEnoughFrames
+  double timestamp_ = 0;                       ///< of the last one that counted, seconds
+  float weight_ = 0;                           ///< of all frames in the sums
+  Image<std::uint8_t> newest_, before_;        ///< the last two frames that counted
+  std::vector<std::int16_t> x_, y_, length_;   ///< of each pixel: sums of gx, gy and |g|, in 1 / kUnit grey values
+  std::vector<float> stay_, all_;              ///< of each cell: |sum g| and sum |g| of its edges
+  std::vector<std::uint16_t> row_, row_all_;   ///< of each column: scratch
+  std::vector<std::uint8_t> objects_, other_;  ///< of each cell
 };
 
 DOT_END_NAMESPACE

@@ -18,6 +18,8 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
   noise         noise of 8 grey values
   dark          a quarter of the brightness, noise of 1.5 grey values
   shake         a camera that is jolted: each frame is turned by some 2 degrees about each axis
+  bonnet        a bonnet with texture, 1.2 m before the camera: the lowest fifth of the image, at its sides a tenth
+  caption       two lines of writing in the image
   near          no depth beyond 20 m
   bias          disparities wrong by up to a pixel at the borders, as from a stereo pair calibrated badly
   lidar64, lidar32, lidar16
@@ -149,7 +151,35 @@ def thinned(depth, kind, frame, sequence, intrinsics, random):
     return at_edges(depth, cv2.imread(image))
 
 
+def with_bonnet(image, folder):
+    height, width = image.shape[:2]
+    rows, columns = np.indices((height, width))
+    top = height * (0.8 + 0.1 * (2 * columns / width - 1) ** 2)
+    if folder == "rgb":
+        random = np.random.default_rng(9)
+        texture = 110 + 3 * cv2.GaussianBlur(random.normal(0, 60, (height, width)).astype(np.float32), (0, 0), 2)
+        part = np.clip(np.round(texture), 0, 255).astype(image.dtype)
+        if image.ndim == 3:
+            part, rows, top = part[..., None], rows[..., None], top[..., None]
+    else:
+        part = np.array(1.2 * 256 if folder.startswith("depth") else 0, image.dtype)
+    return np.where(rows >= top, part, image)
+
+
+def with_caption(image):
+    image, height = image.copy(), image.shape[0]
+    lines = (height // 8, "2026-01-01 12:00:00 CAM0"), (height - 10, "FRONT CAMERA  50 km/h  N48.1 E11.5")
+    for row, text in lines:
+        for value, thick in ((0, 5), (255, 2)):
+            cv2.putText(image, text, (10, row), cv2.FONT_HERSHEY_SIMPLEX, height / 375, (value,) * 3, thick)
+    return image
+
+
 def changed(image, folder, kind, random, focal_baseline):
+    if kind == "bonnet":
+        return with_bonnet(image, folder)
+    if kind == "caption" and folder == "rgb":
+        return with_caption(image)
     if kind in ("half", "third"):
         return shrunk(image, folder, 2 if kind == "half" else 3)
     if kind == "mirror":
@@ -253,7 +283,7 @@ def make(kind, out, sequence):
 
 
 def main():
-    kinds = "half third mirror crop slow reverse late skip1 skip2 skip3 flicker noise dark shake near bias"
+    kinds = "half third mirror crop slow reverse late skip1 skip2 skip3 flicker noise dark shake bonnet caption near bias"
     kinds += " lidar64 lidar32 lidar16 holes50 edges"
     if len(sys.argv) < 4 or sys.argv[1] not in kinds.split():
         sys.exit(__doc__)

@@ -23,7 +23,7 @@ DOT_BEGIN_NAMESPACE
 /// far move. What the camera moves to or turns about stays, too, and edges along their own motion in the image, such as
 /// those of a road. The camera's motion tells these: by it they have not moved across themselves. But fixed parts may
 /// have spoilt that motion. So suspected edges are excluded on trial if they are many, or if the motion is *refuted*:
-/// it does not explain how most of the others have changed. They are admitted again if the motion that is measured
+/// it explains the change of less than a quarter of the others. They are admitted again if the motion that is measured
 /// without them explains that they stay.
 class FixedParts {
  public:
@@ -141,7 +141,7 @@ class FixedParts {
       }
     if (!known_ || changed < kLeastCompared) return;
     constexpr float kShareOfNew = 0.3f;
-    refuted_ += (compared_ ? kShareOfNew : 1) * ((2 * explained < changed ? 1.f : 0.f) - refuted_);
+    refuted_ += (compared_ ? kShareOfNew : 1) * ((4 * explained < changed ? 1.f : 0.f) - refuted_);
     compared_ = true;
   }
 

@@ -82,13 +82,17 @@ class StandingEdges {
     return all > 0 ? moved / all : 0;
   }
 
-  /// How well a shift by (du, dv), pixels of the level, to the frame that counted before the newest explains a cell's
-  /// change between these two: the variance of the difference with the shift and without one.
+  /// How a cell has changed between two frames: the variance of the difference, with a shift and without one.
   struct Change {
-    float shifted = 0, unshifted = 0;
+    float shifted = 0;    ///< grey values squared
+    float unshifted = 0;  ///< grey values squared
+    /// Whether the shift explains most of it.
     bool is_explained() const { return 2 * shifted < unshifted; }
+    /// Whether no shift explains it much better.
     bool is_contradicted() const { return shifted > 2 * unshifted; }
   };
+  /// The change of a cell since the frame that counted before the newest, with a shift to it by (du, dv), pixels of the
+  /// level. Zero if the shift leads out of the image.
   Change change(int column, int row, float du, float dv) const {
     const int u0 = 1 + column * kCell, v0 = 1 + row * kCell;
     const float x = static_cast<float>(u0) + du, y = static_cast<float>(v0) + dv;

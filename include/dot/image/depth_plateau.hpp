@@ -27,14 +27,15 @@ namespace plateaus {
 /// Words as they are, floats by their bits, which have the same order unless negative. As whole numbers, because
 /// compilers make vector code of comparing these.
 inline std::int32_t depth_number(std::uint16_t value) { return value; }
+/// The same of metres.
 inline std::int32_t depth_number(float value) {
   std::int32_t bits;
   std::memcpy(&bits, &value, sizeof bits);
   return bits;
 }
 
-/// @param near, far a number between them is a measurement. @param known see below, or `near`.
-/// @param slope(number): of nine tenths of that depth. @return the largest number; `plateau.depth` is not set.
+/// @param near, far a number between them is a measurement. @param known see below, or `near`. @param slope gives the
+/// number of nine tenths of the depth of a number. @return the largest number; `plateau.depth` is not set.
 template <typename Value, typename Slope>
 std::int32_t find_plateau(const ImageRef& depth, std::int32_t near, std::int32_t far, std::int32_t known, Slope&& slope,
                           DepthPlateau& plateau) {

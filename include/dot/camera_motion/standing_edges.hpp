@@ -20,7 +20,7 @@ DOT_BEGIN_NAMESPACE
 ///
 /// The gradient g of each pixel is summed over the frames: sum g, and the sum of its lengths |g| = |gx| + |gy|. Where
 /// |sum g| is nearly sum |g| an edge has stayed. Only frames count in which many edges are others than in the last one
-/// that counted. So a camera that stands changes nothing, for however long, and a rate of frames does not matter. The
+/// that counted. So a camera that stands changes nothing, for however long, and the frame rate does not matter. The
 /// sums are of cells of a coarse level of the pyramid.
 class StandingEdges {
  public:
@@ -41,7 +41,7 @@ class StandingEdges {
     std::swap(newest_, before_);
     newest_ = image;
     if (frames_ == 0) clear_sums();
-    const double fade = 1 - std::exp(-std::min(seconds, kLongest) / kMemory);
+    const double fade = frames_ > 0 ? 1 - std::exp(-std::min(seconds, kLongest) / kMemory) : 1;
     frames_ = std::min(frames_ + 1, kEnoughFrames);
     timestamp_ = frame.timestamp;
     sum(image, static_cast<int>(65536 * fade));
@@ -165,8 +165,8 @@ class StandingEdges {
         objects_[index(column, row)] = background(column * size + middle, row * size + middle) == 0;
   }
 
-  /// Calls visit(column, row, part, all) with the sums over each cell of what add_row(v, parts, alls) has added to the
-  /// columns of its rows v.
+  /// Calls visit(cell, part, all) with the sums over each cell of what add_row(v, parts, alls) has added to the columns
+  /// of its rows v.
   template <typename AddRow, typename Visit>
   void for_each_cell(int row_step, AddRow&& add_row, Visit&& visit) {
     for (int row = 0; row < rows_; ++row) {

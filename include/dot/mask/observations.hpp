@@ -11,6 +11,7 @@
 #include "dot/frame/frame.hpp"
 #include "dot/frame/validate.hpp"
 #include "dot/mask/centre.hpp"
+#include "dot/mask/depth_trimmer.hpp"
 #include "dot/mask/mask.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -24,6 +25,7 @@ struct Observation {
   bool always_dynamic = false;                       ///< flagged by the caller
   bool discovered = false;                           ///< found by its motion
   bool assigned = false;                             ///< it belongs to a track
+  float inverse_depth_of_core = 0;                   ///< 1/m, of the mask's middle; 0: not measured
   Vector3<double> centre = Vector3<double>::Zero();  ///< of the mask at its median depth, metres; zero: no depth
 
   /// Of `centre`, 1/m; 0: no depth.
@@ -85,10 +87,10 @@ class Observations {
                                                        " times the image's area, more than " + to_text(kMostBoxes));
   }
 
-  /// Adds the instances of a frame's segmentation, in whichever form it is given. Call `count` with the same masks
-  /// before.
-  template <typename Camera>
-  void read(const Masks& masks, const Image<float>& inverse_depth, const Camera& camera) {
+  /// Adds the instances of a frame's segmentation, in whichever form it is given, without the other surfaces that wide
+  /// masks show. Call `count` with the same masks before.
+  template <typename Camera, typename Noise>
+  void read(const Masks& masks, const Image<float>& inverse_depth, const Camera& camera, const Noise& noise) {
     if (masks.ids.data != nullptr) {
       split_ids(runs_, [this](std::uint32_t id) -> Mask& {
         Observation& o = add();
@@ -112,10 +114,23 @@ class Observations {
       o->always_dynamic = instance.always_dynamic;
     }
     list.drop_if([](const Observation& o) { return o.mask.empty(); });
+    const double focal = 0.5 * (camera.intrinsics().fx + camera.intrinsics().fy);
+    for (Observation& o : list) o.inverse_depth_of_core = trimmer_.trim(inverse_depth, focal, noise, o.mask);
+    if (masks.instances.size > 0) separate(inverse_depth, noise);
+    list.drop_if([](const Observation& o) { return o.mask.empty(); });
     for (Observation& o : list) o.centre = centre_of(o.mask, inverse_depth, camera, values_);
   }
 
  private:
+  /// Gives pixels that several masks show to the object whose depth they have.
+  template <typename Noise>
+  void separate(const Image<float>& inverse_depth, const Noise& noise) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        trimmer_.separate(inverse_depth, noise, list[i].inverse_depth_of_core, list[j].inverse_depth_of_core,
+                          list[i].mask, list[j].mask);
+  }
+
   static double area_of_images(const Span<Instance>& instances) {
     double area = 0;
     for (const Instance& instance : instances)
@@ -126,6 +141,7 @@ class Observations {
   static constexpr double kMostBoxes = 32;  ///< largest total area of all boxes, in image areas
 
   IdRuns runs_;
+  DepthTrimmer trimmer_;
   std::vector<float> values_;
 };
 

@@ -31,7 +31,7 @@ void LateMasks<Camera, Classifier, Noise, Aligner>::apply(AwaitedFrames::const_i
   const Setup& setup = stages.setup;
   recall(then, now, stages);
   stages.observations.list.clear();
-  stages.observations.read(masks, then.frame->inverse_depth(), setup.camera);
+  stages.observations.read(masks, then.frame->inverse_depth(), setup.camera, setup.noise);
   stages.tracks.assign(stages.observations, setup.mask);
   stages.tracks.find_again(stages.observations, setup.mask);
   const std::size_t known = stages.tracks.size();

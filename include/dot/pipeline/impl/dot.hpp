@@ -89,7 +89,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
       camera_step = track_camera(frame, seconds);
       ends(Stage::Camera);
     } else {
-      observations_.read(*frame.masks, cur.inverse_depth(), camera_);
+      observations_.read(*frame.masks, cur.inverse_depth(), camera_, depth_noise);
     }
   });
   if (camera_tracker_.refuted()) forget_wrong_motions();

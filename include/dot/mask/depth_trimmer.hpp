@@ -21,14 +21,22 @@ DOT_BEGIN_NAMESPACE
 ///
 /// The object is what the middle of its mask shows. A part of the mask is another surface if its depth is beyond the
 /// object's range, it touches the mask's border, and its depth jumps where it meets the object. A long lorry is also
-/// beyond the range, but no jump separates its ends from its middle. Masks that fit are not changed: there such parts
-/// are small.
+/// beyond the range, but no jump separates its ends from its middle.
+///
+/// A window or an error of the depth looks like another surface, too. So nothing is taken out unless the masks so far
+/// have shown more of them than masks that fit do.
 ///
 /// It works on a grid over the mask's box, so that a large mask costs as little as a small one.
 class DepthTrimmer {
  public:
-  /// Trims a mask. @param inverse_depth 1/m, of the frame; 0: not measured. @param focal pixels.
-  /// @return 1/m, the object's depth; 0 if there is too little depth. The mask is then not changed.
+  /// Mean share of other surfaces in the masks so far, 0 to 1; 0 as long as these may fit.
+  double wide_share() const { return are_wide() ? shares_ / masks_ : 0; }
+
+  /// Forgets the masks so far.
+  void forget() noexcept { shares_ = masks_ = 0; }
+
+  /// Trims a mask, if masks are wide. @param inverse_depth 1/m, of the frame; 0: not measured. @param focal pixels.
+  /// @return 1/m, the object's depth; 0 if there is too little depth.
   template <typename Noise>
   float trim(const Image<float>& inverse_depth, double focal, const Noise& noise, Mask& mask) {
     sample(mask, inverse_depth);
@@ -37,7 +45,8 @@ class DepthTrimmer {
     const float size = static_cast<float>(std::max(mask.width(), mask.height()) / focal) / core->middle;
     const float slack = kSlack * static_cast<float>(noise.pixel_sigma(core->middle)) + kDepthError * core->middle;
     const DepthRange range = depth_range(*core, std::max(usual_extent(*core), size), slack);
-    if (find_parts(range)) cut_parts(inverse_depth, range, mask);
+    count(find_parts(range));
+    if (are_wide()) cut_parts(inverse_depth, range, mask);
     return core->middle;
   }
 
@@ -70,9 +79,10 @@ class DepthTrimmer {
   static constexpr float kDepthError = 0.03f;    // of a depth that the noise does not tell of, relative
   static constexpr float kSameDepth = 0.05f;     // relative difference of depths that belong to one object
   static constexpr float kJump = 1.1f;           // ratio of two depths that no surface joins within two cells
-  static constexpr double kEnoughCells = 1500;   // of the grid
+  static constexpr double kMostCells = 2000;     // of the grid
   static constexpr std::size_t kLeastCells = 9;  // of a part
-  static constexpr int kLeastShare = 20;         // less than one cell in so many: the mask fits
+  static constexpr double kWide = 0.03;          // mean share; of masks that fit .02 at most, of boxes .04 to .07
+  static constexpr double kDoubt = 10;           // masks that fit, assumed before the first
 
   enum class Cell : std::uint8_t { Outside, Unmeasured, Object, Beyond, Kept, Removed };
 
@@ -82,7 +92,8 @@ class DepthTrimmer {
 
   /// Reads the grid's cells, with a rim outside the mask.
   void sample(const Mask& mask, const Image<float>& inverse_depth) {
-    step_ = std::max(1, static_cast<int>(std::sqrt(1.0 * mask.width() * mask.height() / kEnoughCells)));
+    step_ = std::max(
+        1, static_cast<int>(std::ceil(std::sqrt(mask.width() * static_cast<double>(mask.height()) / kMostCells))));
     width_ = (mask.width() + step_ - 1) / step_;
     height_ = (mask.height() + step_ - 1) / step_;
     stride_ = width_ + 2 * kRim;
@@ -125,8 +136,8 @@ class DepthTrimmer {
     return spread(values_.begin(), values_.end());
   }
 
-  /// Marks the parts that show another surface. @return whether there are enough of them.
-  bool find_parts(const DepthRange& range) {
+  /// Marks the parts that show another surface. @return their share of the mask.
+  double find_parts(const DepthRange& range) {
     std::size_t all = 0, beyond = 0, removed = 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       all += cells_[i] != Cell::Outside;
@@ -134,15 +145,24 @@ class DepthTrimmer {
       cells_[i] = Cell::Beyond;
       ++beyond;
     }
-    if (beyond * kLeastShare < all) return false;
+    if (beyond < kLeastCells) return 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-      if (cells_[i] != Cell::Beyond) continue;
-      if (!is_other_surface(i)) continue;
+      if (cells_[i] != Cell::Beyond || !is_other_surface(i)) continue;
       for (const std::size_t j : part_) cells_[j] = Cell::Removed;
       removed += part_.size();
     }
-    return removed * kLeastShare >= all;
+    return static_cast<double>(removed) / static_cast<double>(all);
   }
+
+  /// Counts a mask. Later ones count more.
+  void count(double share) {
+    constexpr double kMemory = 100;  // masks
+    const double kept = std::min(1.0, kMemory / (masks_ + 1));
+    shares_ = kept * shares_ + share;
+    masks_ = kept * masks_ + 1;
+  }
+
+  bool are_wide() const { return shares_ > kWide * (masks_ + kDoubt); }
 
   /// Collects the part that a cell belongs to.
   bool is_other_surface(std::size_t first) {
@@ -189,12 +209,20 @@ class DepthTrimmer {
           if (!mask.pixels(x, y)) return false;
           const float q = inverse_depth(u, v);
           if (!(q > 0) || range.holds(q)) return true;
-          const std::size_t i = at(x / step_, y / step_), below = i + static_cast<std::size_t>(stride_);
-          const auto removed = [&](std::size_t cell) { return cells_[cell] == Cell::Removed; };
-          return !(removed(i) || (step_ > 1 && (removed(i + 1) || removed(below) || removed(below + 1))));
+          return !is_beside_removed(at(x / step_, y / step_));
         },
         trimmed_);
     std::swap(mask, trimmed_);
+  }
+
+  /// Whether a cell or one beside it was removed. Pixels are compared with the cell above them to the left.
+  bool is_beside_removed(std::size_t cell) const {
+    if (step_ == 1) return cells_[cell] == Cell::Removed;
+    for (int dy = -1; dy <= kRim; ++dy)
+      for (int dx = -1; dx <= kRim; ++dx)
+        if (cells_[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) + dy * stride_ + dx)] == Cell::Removed)
+          return true;
+    return false;
   }
 
   void tighten(Mask& mask) {
@@ -214,6 +242,8 @@ class DepthTrimmer {
   std::vector<std::uint8_t> distance_;  // cells to the mask's border, 1 beside it
   std::vector<float> values_;           // 1/m
   std::vector<std::size_t> part_;       // cells of a part
+  double shares_ = 0;                   // sum over the masks, the older ones faded
+  double masks_ = 0;                    // their number, faded alike
   Mask trimmed_;                        // scratch
 };
 

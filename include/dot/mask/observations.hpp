@@ -87,6 +87,12 @@ class Observations {
                                                        " times the image's area, more than " + to_text(kMostBoxes));
   }
 
+  /// Mean share of other surfaces in wide masks so far, 0 to 1; 0 if the masks fit.
+  double wide_share() const { return trimmer_.wide_share(); }
+
+  /// Forgets how wide the masks were.
+  void forget() noexcept { trimmer_.forget(); }
+
   /// Adds the instances of a frame's segmentation, in whichever form it is given, without the other surfaces that wide
   /// masks show. Call `count` with the same masks before.
   template <typename Camera, typename Noise>

@@ -90,7 +90,7 @@ TEST(WideMasks, BoxesThatOverlapKeepTheirObjects) {
         shown += answer && truth;
       }
   }
-  EXPECT_GT(shown, 0.95 * answered) << "its mask shows what is behind it";
+  EXPECT_GT(shown, 0.9 * answered) << "a fifth of its box is what is behind it";
 }
 
 TEST(WideMasks, AreNamed) {

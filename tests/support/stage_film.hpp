@@ -41,7 +41,7 @@ class StageFilm {
   void observe() {
     const Masks masks = *film.frame().masks;
     observations.count("masks", masks, 100, camera.width(), camera.height());
-    observations.read(masks, cur->inverse_depth(), camera);
+    observations.read(masks, cur->inverse_depth(), camera, DepthNoise({}, small_camera()));
   }
 
   Interval interval() const { return {prev.get(), *cur, camera_step}; }

@@ -35,10 +35,11 @@ class DepthTrimmer {
   /// Forgets the masks so far.
   void forget() noexcept { shares_ = masks_ = 0; }
 
-  /// Trims a mask, if masks are wide. @param inverse_depth 1/m, of the frame; 0: not measured. @param focal pixels.
+  /// Trims a mask, if masks are wide and `may_cut`. @param inverse_depth 1/m, of the frame; 0: not measured. @param
+  /// focal pixels.
   /// @return 1/m, the object's depth; 0 if there is too little depth.
   template <typename Noise>
-  float trim(const Image<float>& inverse_depth, double focal, const Noise& noise, Mask& mask) {
+  float trim(const Image<float>& inverse_depth, double focal, const Noise& noise, Mask& mask, bool may_cut = true) {
     sample(mask, inverse_depth);
     const std::optional<Spread<float>> core = core_depth();
     if (!core) return 0;
@@ -46,7 +47,7 @@ class DepthTrimmer {
     const float slack = kSlack * static_cast<float>(noise.pixel_sigma(core->middle)) + kDepthError * core->middle;
     const DepthRange range = depth_range(*core, std::max(usual_extent(*core), size), slack);
     count(find_parts(range));
-    if (are_wide()) cut_parts(inverse_depth, range, mask);
+    if (may_cut && are_wide()) cut_parts(inverse_depth, range, mask);
     return core->middle;
   }
 

@@ -93,8 +93,8 @@ class Observations {
   /// Forgets how wide the masks were.
   void forget() noexcept { trimmer_.forget(); }
 
-  /// Adds the instances of a frame's segmentation, in whichever form it is given, without the other surfaces that wide
-  /// masks show. Call `count` with the same masks before.
+  /// Adds the instances of a frame's segmentation, in whichever form it is given, a list of wide masks without
+  /// the other surfaces that they show. Call `count` with the same masks before.
   template <typename Camera, typename Noise>
   void read(const Masks& masks, const Image<float>& inverse_depth, const Camera& camera, const Noise& noise) {
     if (masks.ids.data != nullptr) {
@@ -121,8 +121,11 @@ class Observations {
     }
     list.drop_if([](const Observation& o) { return o.mask.empty(); });
     const double focal = 0.5 * (camera.intrinsics().fx + camera.intrinsics().fy);
-    for (Observation& o : list) o.inverse_depth_of_core = trimmer_.trim(inverse_depth, focal, noise, o.mask);
-    if (masks.instances.size > 0) separate(inverse_depth, noise);
+    // In an id image wide masks hide each other. There F1 is the same without cuts (docs/decisions.md).
+    const bool may_overlap = masks.ids.data == nullptr;
+    for (Observation& o : list)
+      o.inverse_depth_of_core = trimmer_.trim(inverse_depth, focal, noise, o.mask, may_overlap);
+    if (may_overlap) separate(inverse_depth, noise);
     list.drop_if([](const Observation& o) { return o.mask.empty(); });
     for (Observation& o : list) o.centre = centre_of(o.mask, inverse_depth, camera, values_);
   }

@@ -20,8 +20,6 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
   shake         a camera that is jolted: each frame is turned by some 2 degrees about each axis
   bonnet        a bonnet with texture, 1.2 m before the camera: the lowest fifth of the image, at its sides a tenth
   caption       two lines of writing in the image
-  boxes         the bounding boxes of the masks, in one id image, smaller ones on top
-  wide          masks that are wider by 10 pixels on each side, likewise
   near          no depth beyond 20 m
   bias          disparities wrong by up to a pixel at the borders, as from a stereo pair calibrated badly
   lidar64, lidar32, lidar16
@@ -177,23 +175,7 @@ def with_caption(image):
     return image
 
 
-def widened(ids, kind):
-    """Masks as a detector or a coarse network gives them."""
-    masks = sorted(((ids == i).astype(np.uint8) * 255 for i in np.unique(ids) if i), key=lambda m: -cv2.countNonZero(m))
-    wide = np.zeros_like(ids)
-    for mask in masks:
-        value = ids[mask > 0][0]
-        if kind == "wide":
-            wide[cv2.dilate(mask, np.ones((21, 21))) > 0] = value
-        else:
-            x, y, width, height = cv2.boundingRect(mask)
-            wide[y : y + height, x : x + width] = value
-    return wide
-
-
 def changed(image, folder, kind, random, focal_baseline):
-    if kind in ("boxes", "wide"):
-        return widened(image, kind) if folder == "masks" else image
     if kind == "bonnet":
         return with_bonnet(image, folder)
     if kind == "caption" and folder == "rgb":
@@ -301,8 +283,8 @@ def make(kind, out, sequence):
 
 
 def main():
-    kinds = "half third mirror crop slow reverse late skip1 skip2 skip3 flicker noise dark shake bonnet caption boxes wide near"
-    kinds += " bias lidar64 lidar32 lidar16 holes50 edges"
+    kinds = "half third mirror crop slow reverse late skip1 skip2 skip3 flicker noise dark shake bonnet caption near bias"
+    kinds += " lidar64 lidar32 lidar16 holes50 edges"
     if len(sys.argv) < 4 or sys.argv[1] not in kinds.split():
         sys.exit(__doc__)
     for sequence in sys.argv[3:]:

@@ -59,7 +59,6 @@ class Suspicion(IntEnum):
     MASKS_COVER_IMAGE = 7  # masks leave too few points to track; share of the image that they cover, 0 to 1
     SATURATED_DEPTH = 8  # depth cut off at a largest value instead of missing; share of the pixels, 0 to 1
     FIXED_PART = 9  # a part of the image that does not move with the scene; share of the image, 0 to 1
-    WIDE_MASKS = 10  # masks that show other surfaces beside their objects; mean share of a mask, 0 to 1
 
 
 class DepthSource(IntEnum):

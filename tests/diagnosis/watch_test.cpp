@@ -86,15 +86,6 @@ TEST(Watch, NoticesAFixedPart) {
   EXPECT_EQ(look(setting).reason, Suspicion::DepthOutOfStep);
 }
 
-TEST(Watch, NoticesWideMasks) {
-  Setting setting;
-  setting.shares.wide = 0.06;
-  EXPECT_EQ(look(setting).reason, Suspicion::WideMasks);
-  EXPECT_EQ(look(setting).figure, 0.06);
-  setting.shares.fixed = 0.2;  // is graver
-  EXPECT_EQ(look(setting).reason, Suspicion::FixedPart);
-}
-
 TEST(Watch, NoticesTimesThatAreNoSeconds) {
   Setting setting;
   setting.seconds = 100;
@@ -206,7 +197,6 @@ TEST(Suspicion, HasNames) {
   EXPECT_STREQ(dot::to_string(Suspicion::DepthOutOfStep), "depth_out_of_step");
   EXPECT_STREQ(dot::to_string(Suspicion::SaturatedDepth), "saturated_depth");
   EXPECT_STREQ(dot::to_string(Suspicion::FixedPart), "fixed_part");
-  EXPECT_STREQ(dot::to_string(Suspicion::WideMasks), "wide_masks");
 }
 
 }  // namespace

@@ -135,8 +135,7 @@ enum {
   DOT_SUSPICION_DEPTH_OUT_OF_STEP = 6,   ///< depth of another frame; frames by which it is late, negative: early
   DOT_SUSPICION_MASKS_COVER_IMAGE = 7,   ///< masks leave too few points to track; share that they cover, 0 to 1
   DOT_SUSPICION_SATURATED_DEPTH = 8,     ///< depth cut off at a largest value, not missing; share of the pixels
-  DOT_SUSPICION_FIXED_PART = 9,          ///< part of the image that does not move with the scene; share of the image
-  DOT_SUSPICION_WIDE_MASKS = 10          ///< masks show other surfaces beside their objects; mean share of a mask
+  DOT_SUSPICION_FIXED_PART = 9           ///< part of the image that does not move with the scene; share of the image
 };
 
 /// dot_options.classifier.

@@ -17,8 +17,7 @@ enum class Suspicion : std::uint8_t {
   DepthOutOfStep,    ///< depth that is of another frame than the image; frames by which it is late, negative: early
   MasksCoverImage,   ///< masks that leave too few background points to track; the share that they cover, 0 to 1
   SaturatedDepth,    ///< depth that is cut off at a largest value instead of missing; share of the pixels, 0 to 1
-  FixedPart,         ///< a part of the image that does not move with the scene; share of the image, 0 to 1
-  WideMasks          ///< masks that show other surfaces beside their objects; mean share of a mask, 0 to 1
+  FixedPart          ///< a part of the image that does not move with the scene; share of the image, 0 to 1
 };
 
 /// Name of a suspicion, lower case with underscores; empty for None.
@@ -32,9 +31,8 @@ constexpr const char* to_string(Suspicion suspicion) {
                                    "depth_out_of_step",
                                    "masks_cover_image",
                                    "saturated_depth",
-                                   "fixed_part",
-                                   "wide_masks"};
-  return suspicion <= Suspicion::WideMasks ? names[static_cast<int>(suspicion)] : "?";
+                                   "fixed_part"};
+  return suspicion <= Suspicion::FixedPart ? names[static_cast<int>(suspicion)] : "?";
 }
 
 /// What the tracker suspects of its input. It says so of the last frames, and takes it back when they are better.

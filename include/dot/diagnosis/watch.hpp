@@ -12,12 +12,11 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Shares of a frame's pixels that are of no use, 0 to 1.
+/// Shares of a frame's pixels, 0 to 1.
 struct UnusedShares {
   double masked = 0;     ///< that objects cover; looked at if there are too few points beside them
   double saturated = 0;  ///< whose depth was left out (DepthSaturation)
   double fixed = 0;      ///< that do not move with the scene (FixedParts)
-  double wide = 0;       ///< of the masks' pixels, those of other surfaces (DepthTrimmer)
 };
 
 /// Notices input that no tracker can work with. It looks at a few rows of what `track` has computed.
@@ -53,8 +52,6 @@ class Watch {
     if (shares.saturated > 0) last_.saturated = shares.saturated;
     fixed_.add(shares.fixed > 0);
     if (shares.fixed > 0) last_.fixed = shares.fixed;
-    wide_.add(shares.wide > 0);
-    if (shares.wide > 0) last_.wide = shares.wide;
 
     if (gaps_.share() > 0.5) return {Suspicion::ImplausibleTimes, seconds};
     if (repeats_.share() >= kRepeats) return {Suspicion::RepeatedImages, repeats_.share()};
@@ -69,14 +66,13 @@ class Watch {
     if (const int lag = step_.lag(); lag != 0) return {Suspicion::DepthOutOfStep, static_cast<double>(lag)};
     if (saturated_.share() > 0.5) return {Suspicion::SaturatedDepth, last_.saturated};
     if (fixed_.share() > 0.5) return {Suspicion::FixedPart, last_.fixed};
-    if (wide_.share() > 0.5) return {Suspicion::WideMasks, last_.wide};
     return {};
   }
 
   /// Starts afresh, as at the first frame.
   void forget() noexcept {
     step_.clear();
-    gaps_ = repeats_ = few_points_ = no_depth_ = covered_ = saturated_ = fixed_ = wide_ = {};
+    gaps_ = repeats_ = few_points_ = no_depth_ = covered_ = saturated_ = fixed_ = {};
     run_ = 0;
   }
 
@@ -107,7 +103,7 @@ class Watch {
   static constexpr double kFarthest = 150, kNearest = 0.1;  ///< metres, harmonic mean
 
   DepthStep step_;
-  Share gaps_, repeats_, few_points_, no_depth_, covered_, saturated_, fixed_, wide_;
+  Share gaps_, repeats_, few_points_, no_depth_, covered_, saturated_, fixed_;
   double little_depth_ = 0;  ///< share of the pixels with depth in the last frame that had too little
   UnusedShares last_;        ///< of the last frames that had any
   int run_ = 0;              ///< FrameData::repeats of the newest frame

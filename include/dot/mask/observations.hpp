@@ -11,8 +11,8 @@
 #include "dot/frame/frame.hpp"
 #include "dot/frame/validate.hpp"
 #include "dot/mask/centre.hpp"
-#include "dot/mask/depth_trimmer.hpp"
 #include "dot/mask/mask.hpp"
+#include "dot/mask/shared_pixels.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -25,7 +25,6 @@ struct Observation {
   bool always_dynamic = false;                       ///< flagged by the caller
   bool discovered = false;                           ///< found by its motion
   bool assigned = false;                             ///< it belongs to a track
-  float inverse_depth_of_core = 0;                   ///< 1/m, of the mask's middle; 0: not measured
   Vector3<double> centre = Vector3<double>::Zero();  ///< of the mask at its median depth, metres; zero: no depth
 
   /// Of `centre`, 1/m; 0: no depth.
@@ -87,14 +86,8 @@ class Observations {
                                                        " times the image's area, more than " + to_text(kMostBoxes));
   }
 
-  /// Mean share of other surfaces in wide masks so far, 0 to 1; 0 if the masks fit.
-  double wide_share() const { return trimmer_.wide_share(); }
-
-  /// Forgets how wide the masks were.
-  void forget() noexcept { trimmer_.forget(); }
-
-  /// Adds the instances of a frame's segmentation, in whichever form it is given, a list of wide masks without
-  /// the other surfaces that they show. Call `count` with the same masks before.
+  /// Adds the instances of a frame's segmentation, in whichever form it is given. Pixels that several masks of a list
+  /// share go to the object whose depth they have. Call `count` with the same masks before.
   template <typename Camera, typename Noise>
   void read(const Masks& masks, const Image<float>& inverse_depth, const Camera& camera, const Noise& noise) {
     if (masks.ids.data != nullptr) {
@@ -120,24 +113,20 @@ class Observations {
       o->always_dynamic = instance.always_dynamic;
     }
     list.drop_if([](const Observation& o) { return o.mask.empty(); });
-    const double focal = 0.5 * (camera.intrinsics().fx + camera.intrinsics().fy);
-    // In an id image wide masks hide each other. There F1 is the same without cuts (docs/decisions.md).
-    const bool may_overlap = masks.ids.data == nullptr;
-    for (Observation& o : list)
-      o.inverse_depth_of_core = trimmer_.trim(inverse_depth, focal, noise, o.mask, may_overlap);
-    if (may_overlap) separate(inverse_depth, noise);
-    list.drop_if([](const Observation& o) { return o.mask.empty(); });
     for (Observation& o : list) o.centre = centre_of(o.mask, inverse_depth, camera, values_);
+    if (masks.ids.data == nullptr && separate_all(inverse_depth, noise))  // an id image has one id for each pixel
+      for (Observation& o : list) o.centre = centre_of(o.mask, inverse_depth, camera, values_);
   }
 
  private:
-  /// Gives pixels that several masks show to the object whose depth they have.
   template <typename Noise>
-  void separate(const Image<float>& inverse_depth, const Noise& noise) {
+  bool separate_all(const Image<float>& inverse_depth, const Noise& noise) {
+    bool changed = false;
     for (std::size_t i = 0; i < list.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        trimmer_.separate(inverse_depth, noise, list[i].inverse_depth_of_core, list[j].inverse_depth_of_core,
-                          list[i].mask, list[j].mask);
+        changed |= separate(inverse_depth, noise, static_cast<float>(list[i].inverse_depth()),
+                            static_cast<float>(list[j].inverse_depth()), list[i].mask, list[j].mask, scratch_);
+    return changed;
   }
 
   static double area_of_images(const Span<Instance>& instances) {
@@ -150,7 +139,7 @@ class Observations {
   static constexpr double kMostBoxes = 32;  ///< largest total area of all boxes, in image areas
 
   IdRuns runs_;
-  DepthTrimmer trimmer_;
+  Mask scratch_;
   std::vector<float> values_;
 };
 

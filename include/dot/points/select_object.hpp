@@ -9,7 +9,6 @@
 
 #include "dot/image/morphology.hpp"
 #include "dot/mask/centre.hpp"
-#include "dot/mask/depth_range.hpp"
 #include "dot/points/select.hpp"
 #include "dot/statistics/median.hpp"
 
@@ -123,14 +122,17 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
     for (int x = 0; x < box.width; x += step)
       if (mask(x, y) && depth(x, y) > 0) values.push_back(depth(x, y));
   if (values.size() < 10) return out;
-  const Spread<float> most = spread(values.begin(), values.end());
-  out.median_q = most.middle;
+  const auto [far, median_q, near] = spread(values.begin(), values.end());
+  out.median_q = median_q;
   const float z = 1 / out.median_q;
+  const float widen = std::min(3.5f, 0.25f * z + (1 / far - 1 / near));
   const float sigma = static_cast<float>(select.noise.pixel_sigma(out.median_q)), slack = 4 * sigma;
-  const DepthRange range = depth_range(most, usual_extent(most), slack);
-  for (const float q : values) out.pixels_with_depth += range.holds(q);
+  const float q_min = 1 / (1 / far + widen) - slack;
+  const float z_near = 1 / near - widen;
+  const float q_max = (z_near > 0 ? 1 / z_near : 1e6f) + slack;
+  for (const float q : values) out.pixels_with_depth += q >= q_min && q <= q_max;
   out.pixels_with_depth *= step * step;
-  cut_surface(depth, mask, range.far, range.near, work.surface);
+  cut_surface(depth, mask, q_min, q_max, work.surface);
 
   const double focal = 0.5 * (select.camera.intrinsics().fx + select.camera.intrinsics().fy);
   const double size = std::sqrt(static_cast<double>(area)) / focal * static_cast<double>(z);                 // metres

@@ -137,7 +137,6 @@ void Dot<Camera, Classifier, Noise, Aligner>::prepare_next(const CameraStep& cam
   shares.masked = result_.too_little_depth ? labeller_.labels().share() : 0;
   shares.saturated = saturation_.share();
   shares.fixed = camera_tracker_.fixed_share();
-  shares.wide = observations_.wide_share();
   result_.diagnosis = watch_.look(*current_, depth_noise, step, options_.max_gap, result_.too_little_depth, shares);
   late_masks_.await(current_, camera_step, segmented, options_.mask, tracks_.all());
   result_.stage_ms[static_cast<std::size_t>(Stage::Points)] = stopwatch_.lap();
@@ -243,7 +242,6 @@ void Dot<Camera, Classifier, Noise, Aligner>::reset() noexcept {
   discovery_.clear();
   late_masks_.clear();
   watch_.forget();
-  observations_.forget();
   labeller_.forget();
   tracks_.clear();
   if constexpr (std::is_same_v<Noise, DepthNoise>) depth_noise.forget_scales();

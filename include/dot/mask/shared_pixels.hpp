@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "dot/image/image.hpp"
+#include "dot/mask/mask.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Gives pixels that are set in two masks to the object whose depth they have: boxes of a detector, and masks of a
+/// coarse network, show parts of their neighbours. Where that is not clear, both keep them, so two masks of one object
+/// stay as they are. A mask does not become empty, because its own median stays in it.
+/// @param inverse_depth 1/m, of the frame; 0: not measured. @param q_a, q_b medians over the masks, 1/m; 0: not known.
+/// @param noise pixel_sigma(q) of an inverse depth, 1/m.
+/// @return whether a mask has changed. Its crop is tight again.
+template <typename Noise>
+bool separate(const Image<float>& inverse_depth, const Noise& noise, float q_a, float q_b, Mask& a, Mask& b,
+              Mask& scratch) {
+  constexpr float kSigmas = 4, kSameDepth = 0.05f;  // the latter relative: depths of one object differ by so much
+  if (!(q_a > 0) || !(q_b > 0)) return false;
+  const float nearer = std::max(q_a, q_b);
+  const float doubt = kSigmas * static_cast<float>(noise.pixel_sigma(nearer)) + kSameDepth * nearer;
+  if (std::abs(q_a - q_b) <= doubt) return false;  // then no pixel is nearer to one of them by more than that
+  const int left = std::max(a.x, b.x), right = std::min(a.x + a.width(), b.x + b.width());
+  const int top = std::max(a.y, b.y), bottom = std::min(a.y + a.height(), b.y + b.height());
+  bool changed_a = false, changed_b = false;
+  for (int v = top; v < bottom; ++v)
+    for (int u = left; u < right; ++u) {
+      std::uint8_t &in_a = a.pixels(u - a.x, v - a.y), &in_b = b.pixels(u - b.x, v - b.y);
+      const float q = inverse_depth(u, v);
+      if (!in_a || !in_b || !(q > 0)) continue;
+      const float to_a = std::abs(q - q_a), to_b = std::abs(q - q_b);
+      if (to_b + doubt < to_a) in_a = 0, changed_a = true;
+      if (to_a + doubt < to_b) in_b = 0, changed_b = true;
+    }
+  const auto tighten = [&scratch](Mask& mask) {
+    fill_mask(
+        mask.box(), [&mask](int u, int v) { return mask.at(u, v); }, scratch);
+    std::swap(mask, scratch);
+  };
+  if (changed_a) tighten(a);
+  if (changed_b) tighten(b);
+  return changed_a || changed_b;
+}
+
+DOT_END_NAMESPACE

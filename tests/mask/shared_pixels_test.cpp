@@ -58,8 +58,10 @@ TEST(SharedPixels, StayInBothWhereItIsNotClear) {
   EXPECT_TRUE(unchanged({}, 0, kObject)) << "no depth of one";
   EXPECT_TRUE(unchanged({}, kNear, 0)) << "no depth of the other";
   EXPECT_FALSE(unchanged({}, kNear, kObject));
-  scene.inverse_depth.fill(0.5f * (kNear + kObject));
-  EXPECT_TRUE(unchanged({}, kNear, kObject)) << "between both";
+  for (const float share : {0.48f, 0.52f}) {
+    scene.inverse_depth.fill(share * kNear + (1 - share) * kObject);
+    EXPECT_TRUE(unchanged({}, kNear, kObject)) << "between both";
+  }
   scene.inverse_depth.fill(0);
   EXPECT_TRUE(unchanged({}, kNear, kObject)) << "not measured";
 }

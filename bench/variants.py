@@ -14,6 +14,7 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
   late          without the first 13 frames
   skip1, skip2, skip3
                 without the first one, two, three frames: other masks serve where not every frame has one
+  bands         light of lamps that flickers by 15 %, three periods from the first to the last row of a rolling shutter
   flicker       brightness that jumps by up to a quarter and 10 grey values from frame to frame
   noise         noise of 8 grey values
   dark          a quarter of the brightness, noise of 1.5 grey values
@@ -175,6 +176,13 @@ def with_caption(image):
     return image
 
 
+def with_bands(image, frame):
+    """Between two frames the light goes on by .37 periods, as that of lamps at 100 Hz at 29.67 frames a second."""
+    height = image.shape[0]
+    light = 1 + 0.15 * np.sin(2 * np.pi * (3 * np.arange(height) / height + 0.37 * frame))
+    return np.clip(np.round(image * light.reshape(-1, *[1] * (image.ndim - 1))), 0, 255).astype(np.uint8)
+
+
 def changed(image, folder, kind, random, focal_baseline):
     if kind == "bonnet":
         return with_bonnet(image, folder)
@@ -250,6 +258,8 @@ def make(kind, out, sequence):
                 image = cv2.imread(path, cv2.IMREAD_UNCHANGED)
                 if name == "depth" and kind in (*BEAMS, "holes50", "edges"):
                     image = thinned(image, kind, int(stem), sequence, intrinsics, random)
+                elif kind == "bands" and name == "rgb":
+                    image = with_bands(image, int(stem))
                 elif kind == "shake":
                     image = turned(image, name, jolt(int(stem)), intrinsics)
                 else:
@@ -283,8 +293,8 @@ def make(kind, out, sequence):
 
 
 def main():
-    kinds = "half third mirror crop slow reverse late skip1 skip2 skip3 flicker noise dark shake bonnet caption near bias"
-    kinds += " lidar64 lidar32 lidar16 holes50 edges"
+    kinds = "half third mirror crop slow reverse late skip1 skip2 skip3 bands flicker noise dark shake"
+    kinds += " bonnet caption near bias lidar64 lidar32 lidar16 holes50 edges"
     if len(sys.argv) < 4 or sys.argv[1] not in kinds.split():
         sys.exit(__doc__)
     for sequence in sys.argv[3:]:

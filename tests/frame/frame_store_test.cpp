@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <utility>
 #include <vector>
@@ -95,6 +96,32 @@ TEST(FrameStore, CountsRepeatedImages) {
   frame = after(frame, 8, 2);
   EXPECT_EQ(frame->repeats, 0);
   EXPECT_FALSE(frame->is_repeated());
+}
+
+/// Bands of flickering light on a plain image.
+void light(Plain& plain, double phase) {
+  for (std::size_t i = 0; i < plain.grey.size(); ++i) {
+    const double turns = 3.0 * static_cast<double>(i / 280) / 96 + phase;
+    plain.grey[i] = static_cast<std::uint8_t>(120 * (1 + 0.15 * std::sin(6.283185307179586 * turns)));
+  }
+}
+
+TEST(FrameStore, RemovesFlickerAndStillKnowsARepeatedImage) {
+  FrameStore store;
+  Plain plain(1);
+  FramePtr frame;
+  for (const auto& [phase, repeats] : {std::pair{0.0, 0}, {0.3, 0}, {0.3, 1}, {0.7, 0}}) {
+    light(plain, phase);
+    const FramePtr last = frame;
+    frame = store.add(plain.frame, {}, kNoise, {3, 100}, dot::portable_kernels(), dot::Threads{}, last.get());
+    EXPECT_EQ(frame->repeats, repeats) << "phase " << phase;
+    if (!last) continue;
+    for (std::size_t level = 0; level < 3; ++level) {
+      const dot::Image<std::uint8_t>&now = frame->pyramid.levels[level], &before = last->pyramid.levels[level];
+      for (int y = 0; y < now.height(); ++y)
+        EXPECT_NEAR(now(30, y), before(30, y), 6) << "of 35, phase " << phase << ", level " << level << ", row " << y;
+    }
+  }
 }
 
 TEST(FrameStore, FillsInSparseDepth) {

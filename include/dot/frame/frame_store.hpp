@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "dot/frame/depth_densifier.hpp"
+#include "dot/frame/flicker_removal.hpp"
 #include "dot/frame/frame.hpp"
 #include "dot/frame/frame_data.hpp"
 #include "dot/image/convert.hpp"
@@ -46,7 +47,7 @@ class FrameStore {
     const InverseDepthRows measured(input.depth, std::min(settings.max_depth, settings.saturated), kernels);
     threads.run(2, [&](int, int part) {
       if (part == 0)
-        frame.pyramid.build(width, height, GreyRows(input.image, grey_rows_), levels, kernels);
+        build_image(input.image, levels, kernels, previous != nullptr, frame.pyramid);
       else if (bias.is_zero())
         build_depth(measured, noise, width, height, levels, kernels, frame.depth);
       else
@@ -69,6 +70,14 @@ class FrameStore {
   }
 
   FramePtr newest() const { return frames_.back(); }
+
+  /// Builds the pyramid of the image without the bands of flickering light. @param follows the frame before.
+  void build_image(const ImageRef& image, int levels, const kernel::Kernels& kernels, bool follows, Pyramid& out) {
+    out.build(image.width, image.height, GreyRows(image, grey_rows_), levels, kernels);
+    if (!flicker_.look(out, follows)) return;
+    const auto correct = [&](int y, std::uint8_t* row) { flicker_.correct(y, image.height, row, image.width); };
+    build_levels(image.width, image.height, levels, correct, kernels.halve, out.levels);
+  }
 
   /// Builds the depth pyramid. Sparse depth is interpolated, see DepthDensifier.
   template <typename Rows, typename Noise>
@@ -114,6 +123,7 @@ class FrameStore {
 
   std::vector<Slot> frames_;  ///< the last one is the newest
   Image<std::uint8_t> grey_rows_;
+  FlickerRemoval flicker_;
   Image<float> depth_rows_;
   std::vector<float> row_;
   Image<float> sparse_, dense_;

@@ -17,6 +17,7 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
   bands         light of lamps that flickers by 15 %, three periods from the first to the last row of a rolling shutter
   flicker       brightness that jumps by up to a quarter and 10 grey values from frame to frame
   noise         noise of 8 grey values
+  grain         noise of 25 grey values
   dark          a quarter of the brightness, noise of 1.5 grey values
   shake         a camera that is jolted: each frame is turned by some 2 degrees about each axis
   bonnet        a bonnet with texture, 1.2 m before the camera: the lowest fifth of the image, at its sides a tenth
@@ -38,6 +39,8 @@ import numpy as np
 
 IMAGES = ("rgb", "depth", "depth_true", "instance", "masks")
 POSES = (("poses.txt", 0), ("object_poses.txt", 2))  # and the columns before the pose
+
+NOISE = {"noise": (1, 8), "grain": (1, 25), "dark": (0.25, 1.5)}  # gain, and sigma in grey values
 
 
 def shrunk(image, folder, n):
@@ -196,8 +199,8 @@ def changed(image, folder, kind, random, focal_baseline):
         return image[:, image.shape[1] // 4 :][:, : image.shape[1] // 2]
     if kind == "flicker" and folder == "rgb":
         return np.clip(random.uniform(0.75, 1.25) * image + random.uniform(-10, 10), 0, 255).astype(np.uint8)
-    if kind in ("noise", "dark") and folder == "rgb":
-        gain, sigma = (1, 8) if kind == "noise" else (0.25, 1.5)
+    if kind in NOISE and folder == "rgb":
+        gain, sigma = NOISE[kind]
         return np.clip(gain * image + random.normal(0, sigma, image.shape), 0, 255).astype(np.uint8)
     if kind == "bias" and folder == "depth":
         return biased(image, focal_baseline)
@@ -293,7 +296,7 @@ def make(kind, out, sequence):
 
 
 def main():
-    kinds = "half third mirror crop slow reverse late skip1 skip2 skip3 bands flicker noise dark shake"
+    kinds = "half third mirror crop slow reverse late skip1 skip2 skip3 bands flicker noise grain dark shake"
     kinds += " bonnet caption near bias lidar64 lidar32 lidar16 holes50 edges"
     if len(sys.argv) < 4 or sys.argv[1] not in kinds.split():
         sys.exit(__doc__)

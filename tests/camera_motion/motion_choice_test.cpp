@@ -61,8 +61,9 @@ struct TwoWalls {
     all.append_every(1, b);
     return all;
   }
-  MotionChoice choose(const PointSet& background, const SE3d& predicted = {}, double reach = 1e9) {
-    MotionEvidence evidence{objects, {}, reach};
+  MotionChoice choose(const PointSet& background, const SE3d& predicted = {}, double reach = 1e9,
+                      double steadiness = 0) {
+    MotionEvidence evidence{objects, {}, reach, steadiness};
     return {
         dot::AlignProblem<dot::Pinhole>{background, now, camera}, minima, predicted, evidence, {}, aligner, workspace};
   }
@@ -102,6 +103,20 @@ TEST(MotionChoice, TheReachableOneWinsAContest) {
   EXPECT_EQ(walls.choose(all).chosen, 0u);
   EXPECT_EQ(walls.choose(all, walls.minima[1].state.T, 0.1).chosen, 1u);
   EXPECT_EQ(walls.choose(all, walls.minima[1].state.T, 1).chosen, 0u) << "both can be reached";
+}
+
+// One row of the cells on each wall, too few for a vote. The right one has a little more texture, or much more.
+TEST(MotionChoice, AChangeOfASteadyVelocityMustFitClearlyBetter) {
+  TwoWalls walls;
+  const PointSet left = walls.points(false, 4, 94, 114);
+  const PointSet little = TwoWalls::both(left, walls.points(true, 4, 94, 118));
+  const PointSet much = TwoWalls::both(left, walls.points(true, 2, 94, 118));
+  const SE3d stands = walls.minima[0].state.T;
+  EXPECT_EQ(walls.choose(little, stands, 0.22, 0).chosen, 1u) << "a velocity just found";
+  EXPECT_EQ(walls.choose(little, stands, 0.22, 1).chosen, 0u);
+  EXPECT_EQ(walls.choose(little, stands, 0.1, 1).chosen, 0u) << "out of reach";
+  EXPECT_EQ(walls.choose(little, stands, 1, 1).chosen, 1u) << "a small part of the reach";
+  EXPECT_EQ(walls.choose(much, stands, 0.22, 1).chosen, 1u);
 }
 
 TEST(MotionChoice, CloseVotesAreADoubtOfTheDistanceBetweenTheTwo) {

@@ -47,10 +47,15 @@ class PointCosts {
   /// The place, of those not removed, that no other place beats by this share of the cost, if there is one. Earlier
   /// places are preferred. @pre At least one place is not removed.
   std::size_t best(double share) const {
+    return best(share, [](std::size_t) { return 1.0; });
+  }
+  /// The same with the costs multiplied by factor(place).
+  template <typename Factor>
+  std::size_t best(double share, Factor&& factor) const {
     std::size_t chosen = open_.front();
     for (int pass = 0; pass < 2; ++pass)
       for (const std::size_t place : open_)
-        if (place != chosen && ratio(place, chosen) < 1 - share) chosen = place;
+        if (place != chosen && factor(place) * ratio(place, chosen) < (1 - share) * factor(chosen)) chosen = place;
     return chosen;
   }
 

@@ -82,11 +82,15 @@ class CameraTracker {
     fixed_parts_.forget();
     held_ = refuted_ = false;
     velocity_known_ = false;
+    steady_ = 0;
     velocity_.setZero();
     correlation_ = {};
   }
 
  private:
+  static constexpr double kSteady = 2;   ///< intervals in a row that make a velocity steady
+  static constexpr double kKept = 0.25;  ///< share of the reach up to which an interval keeps the velocity
+
   /// T_cur_prev of each start, the most trusted first: from the host, and at constant velocity.
   void predict(const HostMotion& host, double seconds);
   void take_host_motion(const CameraMotion& motion, const FrameData& cur, const Camera& camera, Aligner& aligner,
@@ -100,6 +104,7 @@ class CameraTracker {
   Background background_;
   Vector6<double> velocity_ = Vector6<double>::Zero();  ///< twist per second
   bool velocity_known_ = false;                         ///< whether it is of the last interval
+  int steady_ = 0;                                      ///< intervals in a row that kept the velocity
   UsualCorrelation correlation_;
   FirstIntervals first_intervals_;
   std::vector<RevisedInterval> revised_;

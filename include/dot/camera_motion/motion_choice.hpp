@@ -21,15 +21,20 @@ struct MotionEvidence {
   SE3d T_points_prev;                           ///< from the previous frame to that of the background's points
   /// Metres by which the motion may differ from the one predicted at constant velocity; infinite: no velocity is known.
   double reach = std::numeric_limits<double>::infinity();
+  double steadiness = 0;  ///< 0 to 1: whether the velocity was the same in the intervals before
 };
 
 /// Chooses the camera's motion among the minima of the background's cost.
 ///
-/// The minimum of least cost is right as long as most texture stands. A large object that moves and has no mask is part
-/// of the background, and can have more texture than everything else. Its motion then has the least cost. But it covers
-/// only a part of the image, and the objects that stand contradict it. Two minima are in contest if each of them
-/// explains a large part of the image. The chosen one is then the one that the camera can reach from its velocity. If
-/// it can reach both or none, the cells of the image decide, of the background and of the objects.
+/// The minimum of least cost is right as long as most texture stands. Noise, rain and shadows make the costs of wrong
+/// minima nearly as low. So one that changes a velocity that was steady must be better by a share that grows with the
+/// square of the change.
+///
+/// A wrong minimum can also be the lowest by far. A large object that moves and has no mask is part of the background,
+/// and can have more texture than everything else. But it covers only a part of the image, and the objects that stand
+/// contradict it. Two minima are in contest if each of them explains a large part of the image. The chosen one is then
+/// the one that the camera can reach from its velocity. If it can reach both or none, the cells of the image decide, of
+/// the background and of the objects.
 class MotionChoice {
  public:
   std::size_t chosen = 0;            ///< place of the chosen motion in `candidates`
@@ -50,7 +55,10 @@ class MotionChoice {
     costs.clear();
     for (const Alignment& a : candidates) costs.add(problem, a.state, 0, sigma, aligner);
     // A later candidate must be better by a margin, so that equal minima do not alternate.
-    chosen = costs.best(settings.multistart_margin);
+    chosen = costs.best(settings.multistart_margin, [&](std::size_t i) {
+      const double change = (candidates[i].state.T.t - predicted.t).norm() / evidence.reach;
+      return 1 + evidence.steadiness * kAtReach * std::min(1.0, change * change);
+    });
 
     const auto for_each_other = [&](auto&& visit) {
       for (std::size_t i = 0; i < candidates.size(); ++i)
@@ -85,6 +93,7 @@ class MotionChoice {
 
  private:
   static constexpr double kSameMinimum = 5;  ///< pixels between the points at two that count as one, without a contest
+  static constexpr double kAtReach = 0.3;    ///< share of the cost by which a change by the reach or more must win
   static constexpr double kContested = 0.3;  ///< votes of the background for another minimum, over those for the chosen
   static constexpr int kMinVotes = 8;        ///< the same, at least
   static constexpr double kMajority = 1.15;  ///< votes over those for the other, below which they are close

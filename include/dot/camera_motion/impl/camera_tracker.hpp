@@ -31,6 +31,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   if (held_) velocity_known_ = false;
   predict(host, seconds);
   step.T_cur_prev = starts_.front();
+  const SE3d predicted = starts_.back();
   bool searched = false;
   if (host.motion)
     take_host_motion(*host.motion, cur, camera, aligner, step);
@@ -47,6 +48,8 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   }
   refuted_ = !revised_.empty() || (held_ && !host.motion);
   held_ = false;
+  const bool kept = (step.T_cur_prev.t - predicted.t).norm() < kKept * estimator.reach(seconds);
+  steady_ = velocity_known_ && step.known() && kept ? steady_ + 1 : 0;
   velocity_known_ = step.known();
   if (!step.known()) {
     step.covariance = covariance_of_guess(estimator.settings, seconds);
@@ -92,7 +95,10 @@ bool CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
   const CameraSettings& s = estimator.settings;
   const auto align = [&](const CameraSearch* search) {
     MotionEvidence evidence{objects, T_prev_points.inverse()};
-    if (!search) evidence.reach = estimator.reach(step.seconds);
+    if (velocity_known_) {
+      evidence.reach = estimator.reach(step.seconds);
+      evidence.steadiness = std::min(1.0, steady_ / kSteady);
+    }
     step.alignment =
         estimator.estimate(background_.points, cur.pyramid, camera, starts_, search, evidence, aligner, workspace);
   };

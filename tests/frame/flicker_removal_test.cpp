@@ -29,14 +29,15 @@ Grey scene(double down = 0, int height = kHeight) {
 }
 
 /// Brightness of row y, which differs from frame to frame.
-double light(int frame, int y, double amplitude, double periods = 2.7) {
+double light(int frame, int y, double amplitude, double periods) {
   return 1 + amplitude * std::sin(6.283185307179586 * (periods * y / kHeight + 0.37 * frame));
 }
 
-Grey lit(Grey grey, int frame, double amplitude) {
+Grey lit(Grey grey, int frame, double amplitude, double periods = 2.7) {
   for (int y = 0; y < grey.height(); ++y)
     for (int x = 0; x < grey.width(); ++x)
-      grey(x, y) = static_cast<std::uint8_t>(std::clamp(grey(x, y) * light(frame, y, amplitude) + 0.5, 0.0, 255.0));
+      grey(x, y) =
+          static_cast<std::uint8_t>(std::clamp(grey(x, y) * light(frame, y, amplitude, periods) + 0.5, 0.0, 255.0));
   return grey;
 }
 
@@ -134,6 +135,29 @@ TEST(FlickerRemoval, ASwitchedOffLampIsForgotten) {
   EXPECT_GT(corrected, 5) << "the frames after it are still compared with those before";
   EXPECT_LT(corrected, 90);
   EXPECT_TRUE(removed(removal, scene(0.1 * frame)).empty());
+}
+
+TEST(FlickerRemoval, OtherLampsAreFound) {
+  FlickerRemoval removal;
+  int frame = 0;
+  removed(removal, lit(scene(), frame++, 0.15), false);
+  for (; frame < 6; ++frame) ASSERT_FALSE(removed(removal, lit(scene(), frame, 0.15)).empty());
+  for (; frame < 100; ++frame) removed(removal, scene(0.1 * frame));
+  removed(removal, lit(scene(), frame++, 0.15, 5.2));
+  EXPECT_FALSE(removed(removal, lit(scene(), frame, 0.15, 5.2)).empty());
+}
+
+// Twelve of the sixteen columns of cells are saturated, or black with an offset of the sensor.
+TEST(FlickerRemoval, CellsWithoutAMeasuredBrightnessDoNotCount) {
+  for (const int value : {255, 8}) {
+    const auto covered = [value](Grey grey) {
+      for (int y = 0; y < kHeight; ++y) std::fill_n(grey.row(y) + 80, 240, static_cast<std::uint8_t>(value));
+      return grey;
+    };
+    FlickerRemoval removal;
+    removed(removal, covered(lit(scene(), 0, 0.15)), false);
+    EXPECT_FALSE(removed(removal, covered(lit(scene(), 1, 0.15))).empty()) << "grey value " << value;
+  }
 }
 
 TEST(FlickerRemoval, AFrameThatFollowsNoneStartsAnew) {

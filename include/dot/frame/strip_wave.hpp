@@ -20,7 +20,8 @@ DOT_BEGIN_NAMESPACE
 /// periods, and its second harmonic if the strips resolve it.
 template <std::size_t Strips>
 struct StripWave {
-  using Values = std::array<float, Strips>;
+  using Values = std::array<float, Strips>;  ///< one per strip, from the top
+  /// One number for each term of the function.
   using Vector5 = Eigen::Matrix<double, 5, 1>;
   static constexpr float kNone = std::numeric_limits<float>::infinity();  ///< the value of a strip that has none
 
@@ -49,8 +50,10 @@ struct StripWave {
       const double cost = wave.solve_sinusoid(values);
       if (cost < least) least = cost, best = wave;
     };
-    for (double p = first; p <= last; p += kStep) attempt(p);
-    for (double step = 0.5 * kStep; step >= kFinestStep; step *= 0.5) {
+    for (int i = 0; first + i * kStep <= last; ++i) attempt(first + i * kStep);
+    double step = kStep;
+    for (int i = 0; i < kHalvings; ++i) {
+      step /= 2;
       const double middle = best.periods;
       for (const double p : {middle - step, middle + step})
         if (p >= first && p <= last) attempt(p);
@@ -83,7 +86,7 @@ struct StripWave {
   static constexpr double kPi = 3.14159265358979323846;
   static constexpr double kStep = 0.25;           ///< between periods that are tried: half a turn at the last row
   static constexpr double kLeastDistance = 0.65;  ///< median distance of a sinusoid's values over its amplitude: .71
-  static constexpr double kFinestStep = 0.015;    ///< last one: 0.05 at the last row
+  static constexpr int kHalvings = 4;             ///< of the step about the best period: 0.05 at the last row
   static constexpr int kPasses = 4;               ///< of reweighting
   static constexpr double kHuber = 1.345;         ///< sigma
   static constexpr double kLeastSigma = 1e-3;     ///< of a strip

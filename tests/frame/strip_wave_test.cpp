@@ -10,8 +10,8 @@
 
 namespace {
 
-constexpr std::size_t kStrips = 48;
-using Wave = dot::StripWave<kStrips>;
+using Wave = dot::StripWave;
+constexpr std::size_t kStrips = Wave::kStrips;
 constexpr double kTurn = 6.283185307179586;
 
 /// 0.3 + a sin(2 pi (p y + phase)) + h sin(4 pi (p y + phase)), with noise.

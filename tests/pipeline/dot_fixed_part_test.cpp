@@ -10,12 +10,11 @@
 
 #include "dot/dot.hpp"
 #include "support/film.hpp"
+#include "support/stereo_dot.hpp"
 
 namespace {
 
 using dot::Dot;
-using dot::Options;
-using dot::Pinhole;
 using dot::Result;
 using dot::State;
 using dot::Vector3;
@@ -55,15 +54,9 @@ Film<> passing(bool has_part) {
   return film;
 }
 
-Dot<> make_dot() {
-  Options options;
-  options.depth_noise.source = dot::DepthSource::Stereo;
-  return Dot<>(Pinhole(small_camera()), options);
-}
-
 TEST(FixedPart, DoesNotHoldTheCamera) {
   Film<> film = passing(true);
-  Dot<> dot = make_dot();
+  Dot<> dot = stereo_dot();
   for (int i = 0; i < 35; ++i) {
     const Result& result = film.next(dot);
     if (i < 10) continue;
@@ -82,7 +75,7 @@ TEST(FixedPart, DoesNotHoldTheCamera) {
 
 TEST(FixedPart, IsNotSuspectedInAScene) {
   Film<> film = passing(false);
-  Dot<> dot = make_dot();
+  Dot<> dot = stereo_dot();
   for (int i = 0; i < 30; ++i) EXPECT_EQ(film.next(dot).diagnosis.reason, dot::Suspicion::None) << "frame " << i;
 }
 

@@ -12,12 +12,11 @@
 
 #include "dot/dot.hpp"
 #include "support/film.hpp"
+#include "support/stereo_dot.hpp"
 
 namespace {
 
 using dot::Dot;
-using dot::Options;
-using dot::Pinhole;
 using dot::Result;
 using dot::State;
 using dot::Vector3;
@@ -44,16 +43,10 @@ Film<> under_lamps(double amplitude) {
   return film;
 }
 
-Dot<> make_dot() {
-  Options options;
-  options.depth_noise.source = dot::DepthSource::Stereo;
-  return Dot<>(Pinhole(small_camera()), options);
-}
-
 TEST(Flicker, ChangesNoDecision) {
   for (const double amplitude : {0.0, 0.1, 0.15}) {
     Film<> film = under_lamps(amplitude);
-    Dot<> dot = make_dot();
+    Dot<> dot = stereo_dot();
     for (int i = 0; i < 20; ++i) {
       const Result& result = film.next(dot);
       if (i == 0) continue;

@@ -11,6 +11,7 @@
 
 #include "dot/dot.hpp"
 #include "support/film.hpp"
+#include "support/stereo_dot.hpp"
 
 namespace {
 
@@ -18,20 +19,12 @@ using dot::CameraStatus;
 using dot::Dot;
 using dot::Frame;
 using dot::ObjectResult;
-using dot::Options;
-using dot::Pinhole;
 using dot::Result;
 using dot::State;
 using dot::Vector3;
 using namespace dot::test;
 
 constexpr std::uint32_t parked = 1;
-
-Dot<> make_dot() {
-  Options options;
-  options.depth_noise.source = dot::DepthSource::Stereo;
-  return Dot<>(Pinhole(small_camera()), options);
-}
 
 /// A camera that drives on and jumps aside by `jump` metres between the frames 7 and 8.
 Film<> jumping(double jump) {
@@ -70,7 +63,7 @@ TEST(LostCamera, MakesNothingMove) {
       film.edit = [first_mask](int i, Frame& frame) {
         if (i < first_mask) frame.masks.reset();
       };
-      Dot<> dot = make_dot();
+      Dot<> dot = stereo_dot();
       for (int i = 0; i < 14; ++i) {
         lose(dot, i == 8);
         const Result& result = film.next(dot);
@@ -92,7 +85,7 @@ TEST(LostCamera, AGapIsToldToBeUncertain) {
     SCOPED_TRACE(gap);
     Film<> film = jumping(0);
     film.edit = [gap](int i, Frame& frame) { frame.timestamp += i >= 5 ? gap : 0; };
-    Dot<> dot = make_dot();
+    Dot<> dot = stereo_dot();
     for (int i = 0; i < 8; ++i) {
       const Result& result = film.next(dot);
       const auto sigma = [&](std::size_t k) { return std::sqrt(result.camera.covariance[7 * k]); };
@@ -123,7 +116,7 @@ TEST(LostCamera, AGuessThatIsMadeGoodIsToldToBeUncertain) {
       for (int x = 0; x < seen.depth.width(); ++x)
         if (seen.ids(x, y) == 0) seen.depth(x, y) = 0;
   };
-  Dot<> dot = make_dot();
+  Dot<> dot = stereo_dot();
   for (int i = 0; i < 14; ++i) {
     lose(dot, i == 8);
     const Result& result = film.next(dot);
@@ -157,7 +150,7 @@ TEST(LostCamera, APlaceThatIsNotKnownStaysUnknown) {
         if (i < 5) seen.depth(x, y) = 0;
       }
   };
-  Dot<> dot = make_dot();
+  Dot<> dot = stereo_dot();
   std::uint32_t id = 0;
   for (int i = 0; i < 6; ++i) {
     const Result& result = film.next(dot);

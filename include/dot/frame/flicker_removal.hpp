@@ -23,8 +23,8 @@ DOT_BEGIN_NAMESPACE
 /// The light is nearly a sinusoid over the rows, and its period stays: that of the lamps over the time of a row. The
 /// logarithm of the ratio of two images is then a sinusoid of that period, too, and the same in all columns. What moves
 /// in the scene is neither. The ratio of a strip of rows is the median of those of its cells, so a mover does not
-/// count. A sinusoid is believed if it explains most of these ratios. All images are brought to the light of the first
-/// one.
+/// count. A sinusoid is believed if it explains most of these ratios. Each image is brought to the light of the one
+/// before. The light of the first one fades, because the mean over time has no bands.
 class FlickerRemoval {
  public:
   /// Compares the next image with the one before. @param follows whether there is one.
@@ -61,7 +61,7 @@ class FlickerRemoval {
   }
 
  private:
-  static constexpr std::size_t kStrips = 48, kColumns = 16;
+  static constexpr std::size_t kStrips = StripWave::kStrips, kColumns = 16;
   static constexpr float kDark = 16, kBright = 235;  ///< grey values: beyond, offsets and saturation spoil a ratio
   static constexpr std::size_t kLeastCells = 4;      ///< of a strip
   static constexpr double kFewest = 1, kMost = 8;    ///< periods in an image; shorter ones have under six strips
@@ -74,7 +74,7 @@ class FlickerRemoval {
   static constexpr float kLeak = 0.05f;              ///< of the light per frame, so that errors do not add up
   static constexpr float kNegligible = 0.004f;       ///< of the light: one grey value
 
-  using Strips = StripWave<kStrips>::Values;
+  using Strips = StripWave::Values;
   using Cells = std::array<float, kStrips * kColumns>;
 
   /// Sets the mean grey values of all cells, on the coarsest level with enough rows. @return whether there is one.
@@ -109,7 +109,7 @@ class FlickerRemoval {
       for (std::size_t i = s * kColumns; i < (s + 1) * kColumns; ++i)
         if (is_usable(cells_[i]) && is_usable(last_[i])) ratio[n++] = cells_[i] / last_[i];
       const auto end = ratio.begin() + static_cast<std::ptrdiff_t>(n);
-      out[s] = n < kLeastCells ? StripWave<kStrips>::kNone : std::log(median(ratio.begin(), end));
+      out[s] = n < kLeastCells ? StripWave::kNone : std::log(median(ratio.begin(), end));
     }
     return out;
   }
@@ -119,17 +119,16 @@ class FlickerRemoval {
     for (float& l : light_) l *= 1 - kLeak;
     const Strips change = ratios();
     const bool known = periods_ > 0;
-    StripWave<kStrips> wave =
-        StripWave<kStrips>::fit(change, known ? std::max(kFewest, periods_ - kSamePeriod) : kFewest,
-                                known ? std::min(kMost, periods_ + kSamePeriod) : kMost, kLeastAmplitude);
+    StripWave wave = StripWave::fit(change, known ? std::max(kFewest, periods_ - kSamePeriod) : kFewest,
+                                    known ? std::min(kMost, periods_ + kSamePeriod) : kMost, kLeastAmplitude);
     if (wave.amplitude() >= kLeastAmplitude && wave.explained >= (known ? kLikely : kSure)) {
       periods_ = known ? periods_ + kAdaption * (wave.periods - periods_) : wave.periods;
       missed_ = 0;
       wave.periods = periods_;
       wave.refine(change);
-      for (std::size_t s = 0; s < kStrips; ++s) light_[s] += static_cast<float>(wave.at(StripWave<kStrips>::middle(s)));
+      for (std::size_t s = 0; s < kStrips; ++s) light_[s] += static_cast<float>(wave.at(StripWave::middle(s)));
     } else if (++missed_ > kForgotten) {
-      periods_ = 0;
+      periods_ = 0, missed_ = 0;
     }
     const auto is_negligible = [](float l) { return std::abs(l) < kNegligible; };
     if (std::all_of(light_.begin(), light_.end(), is_negligible)) light_ = {};

@@ -18,9 +18,9 @@ DOT_BEGIN_NAMESPACE
 
 /// A periodic function over the height of the image, fitted to one value per strip of rows: a constant, a sinusoid of p
 /// periods, and its second harmonic if the strips resolve it.
-template <std::size_t Strips>
 struct StripWave {
-  using Values = std::array<float, Strips>;  ///< one per strip, from the top
+  static constexpr std::size_t kStrips = 48;  ///< of equal height
+  using Values = std::array<float, kStrips>;  ///< one per strip, from the top
   /// One number for each term of the function.
   using Vector5 = Eigen::Matrix<double, 5, 1>;
   static constexpr float kNone = std::numeric_limits<float>::infinity();  ///< the value of a strip that has none
@@ -30,11 +30,11 @@ struct StripWave {
   double explained = 0;  ///< 1 - median distance to the function over that to the median; negative if it fits worse
 
   /// Of the sinusoid, without the harmonic.
-  double amplitude() const { return terms.template segment<2>(1).norm(); }
+  double amplitude() const { return terms.segment<2>(1).norm(); }
   /// The value at y, from 0 to 1 over the height, without the constant.
-  double at(double y) const { return terms.template tail<4>().dot(basis(y, true).template tail<4>()); }
+  double at(double y) const { return terms.tail<4>().dot(basis(y, true).tail<4>()); }
   /// Middle of a strip.
-  static double middle(std::size_t strip) { return (static_cast<double>(strip) + 0.5) / static_cast<double>(Strips); }
+  static double middle(std::size_t strip) { return (static_cast<double>(strip) + 0.5) / static_cast<double>(kStrips); }
 
   /// The sinusoid of least squares with from `first` to `last` periods, refined. Without one of at least that amplitude
   /// the result has none.
@@ -66,11 +66,11 @@ struct StripWave {
   void refine(const Values& values) {
     Values distances;
     Weights weights = present(values);
-    const bool harmonic = 2 * periods * kLeastStripsOfPeriod <= Strips;
+    const bool harmonic = 2 * periods * kLeastStripsOfPeriod <= kStrips;
     solve(values, weights, harmonic);
     for (int pass = 0; pass < kPasses; ++pass) {
       const double sigma = kSigmaOfMedian * distance(values, distances) + kLeastSigma;
-      for (std::size_t i = 0; i < Strips; ++i)
+      for (std::size_t i = 0; i < kStrips; ++i)
         weights[i] = values[i] == kNone ? 0 : std::min(1.0, kHuber * sigma / std::max(1e-9, residual(values, i)));
       solve(values, weights, harmonic);
     }
@@ -81,7 +81,7 @@ struct StripWave {
   }
 
  private:
-  using Weights = std::array<double, Strips>;
+  using Weights = std::array<double, kStrips>;
 
   static constexpr double kPi = 3.14159265358979323846;
   static constexpr double kStep = 0.25;           ///< between periods that are tried: half a turn at the last row
@@ -90,7 +90,7 @@ struct StripWave {
   static constexpr int kPasses = 4;               ///< of reweighting
   static constexpr double kHuber = 1.345;         ///< sigma
   static constexpr double kLeastSigma = 1e-3;     ///< of a strip
-  static constexpr std::ptrdiff_t kLeastStrips = Strips / 2;
+  static constexpr std::ptrdiff_t kLeastStrips = kStrips / 2;
   static constexpr double kLeastStripsOfPeriod = 4;
 
   Vector5 basis(double y, bool harmonic) const {
@@ -110,7 +110,7 @@ struct StripWave {
   /// Median distance of the values. @param distances is overwritten.
   double distance(const Values& values, Values& distances) const {
     std::size_t n = 0;
-    for (std::size_t i = 0; i < Strips; ++i)
+    for (std::size_t i = 0; i < kStrips; ++i)
       if (values[i] != kNone) distances[n++] = static_cast<float>(residual(values, i));
     return n ? static_cast<double>(median(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(n))) : 0;
   }
@@ -123,7 +123,7 @@ struct StripWave {
   }
   /// Least squares of the constant and the sinusoid. @return the sum of squares that is left.
   double solve_sinusoid(const Values& values) {
-    const double turn = 2 * kPi * periods / static_cast<double>(Strips), ds = std::sin(turn), dc = std::cos(turn);
+    const double turn = 2 * kPi * periods / static_cast<double>(kStrips), ds = std::sin(turn), dc = std::cos(turn);
     double s = std::sin(0.5 * turn), c = std::cos(0.5 * turn);
     Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
     Eigen::Vector3d g = Eigen::Vector3d::Zero();
@@ -138,14 +138,14 @@ struct StripWave {
       c = c * dc - s * ds;
       s = next;
     }
-    terms.template head<3>() = H.ldlt().solve(g);  // reads the lower triangle
-    return sum - g.dot(terms.template head<3>());
+    terms.head<3>() = H.ldlt().solve(g);  // reads the lower triangle
+    return sum - g.dot(terms.head<3>());
   }
   /// Weighted least squares of all terms.
   void solve(const Values& values, const Weights& weights, bool harmonic) {
     Eigen::Matrix<double, 5, 5> H = 1e-6 * Eigen::Matrix<double, 5, 5>::Identity();
     Vector5 g = Vector5::Zero();
-    for (std::size_t i = 0; i < Strips; ++i) {
+    for (std::size_t i = 0; i < kStrips; ++i) {
       if (weights[i] == 0) continue;
       const Vector5 x = basis(middle(i), harmonic);
       H += weights[i] * x * x.transpose(), g += weights[i] * static_cast<double>(values[i]) * x;

@@ -31,7 +31,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   if (held_) velocity_known_ = false;
   predict(host, seconds);
   step.T_cur_prev = starts_.front();
-  const SE3d predicted = starts_.back();
+  const Vector3<double> at_constant_velocity = starts_.back().t;
   bool searched = false;
   if (host.motion)
     take_host_motion(*host.motion, cur, camera, aligner, step);
@@ -48,7 +48,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   }
   refuted_ = !revised_.empty() || (held_ && !host.motion);
   held_ = false;
-  const bool kept = (step.T_cur_prev.t - predicted.t).norm() < kKept * estimator.reach(seconds);
+  const bool kept = (step.T_cur_prev.t - at_constant_velocity).norm() < kKept * estimator.reach(seconds);
   steady_ = velocity_known_ && step.known() && kept ? steady_ + 1 : 0;
   velocity_known_ = step.known();
   if (!step.known()) {
@@ -97,7 +97,7 @@ bool CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
     MotionEvidence evidence{objects, T_prev_points.inverse()};
     if (velocity_known_) {
       evidence.reach = estimator.reach(step.seconds);
-      evidence.steadiness = std::min(1.0, steady_ / kSteady);
+      if (!expected) evidence.steadiness = std::min(1.0, steady_ / kSteady);  // a host may know of a change
     }
     step.alignment =
         estimator.estimate(background_.points, cur.pyramid, camera, starts_, search, evidence, aligner, workspace);

@@ -33,14 +33,14 @@ struct Following : StageFilm {
   ObjectBelief belief;
   dot::ObjectWorkspace<dot::DirectAligner<>> workspace;
 
-  static Film<> scene(const Vector3<double>& velocity) {
+  static Film<> scene(const Vector3<double>& velocity, double ahead) {
     Film<> film;
     film.camera_path = straight({0, 0, 0}, {0, 0, 1});
     film.degradation.noise = 1;
-    film.add(car, straight({-1, 1.3, 7.5}, velocity));
+    film.add(car, straight({-1, 1.3, ahead}, velocity));
     return film;
   }
-  explicit Following(const Vector3<double>& velocity) : StageFilm(scene(velocity)) {}
+  explicit Following(const Vector3<double>& velocity, double ahead = 7.5) : StageFilm(scene(velocity, ahead)) {}
 
   dot::ObjectTracker<dot::Pinhole, dot::DepthNoise, dot::DirectAligner<>> tracker() const {
     return DefaultTracks::tracker(setup, setup.noise);
@@ -211,6 +211,61 @@ TEST(Remember, KeepsTheMiddleOfWhatIsHalfHidden) {
   EXPECT_EQ(object.motion.position_now.at, middle) << "a quarter of it shows a part that is not its middle";
   object.tracker().remember(*object.cur, nullptr, object.workspace, object.motion);
   EXPECT_EQ(object.motion.no_reference, Reason::Hidden);
+}
+
+// A lidar beside the camera sees a car through the gap under a lorry, and then only the lorry.
+struct SeenByALidar : Following {
+  static constexpr double lorry = 4, place = 12;  // metres
+
+  SeenByALidar() : Following({0, 0, 0}, place) { setup.estimator.settings.max_speed = 30; }
+  /// The next frame. @param step of the car's pixels that have a depth, in both directions. @param depth metres,
+  /// theirs.
+  void see(int step, double depth) {
+    film.spoil = [step, depth](int, Rendering& seen) {
+      for (int y = 0; y < seen.ids.height(); ++y)
+        for (int x = 0; x < seen.ids.width(); ++x)
+          if (seen.ids(x, y) == car) seen.depth(x, y) = x % step || y % step ? 0 : static_cast<float>(depth);
+    };
+    Following::see();
+  }
+  void remember() {
+    const Mask visible = mask(car);
+    auto lidar = tracker();
+    lidar.depth_source = dot::DepthSource::Lidar;
+    lidar.remember(*cur, &visible, workspace, motion);
+  }
+};
+
+TEST(Remember, AFewPointsThatAreFarFromTheObjectAreOfAnother) {
+  for (const double other : {SeenByALidar::lorry, 3 * SeenByALidar::place}) {
+    SeenByALidar object;
+    object.see(1, SeenByALidar::place), object.remember();
+    ASSERT_EQ(object.motion.references.size(), 1u);
+    object.see(3, SeenByALidar::place), object.remember();
+    ASSERT_EQ(object.motion.references.size(), 2u) << "few, but where it is";
+    object.see(3, other), object.remember();
+    EXPECT_EQ(object.motion.references.size(), 2u) << other;
+    EXPECT_EQ(object.motion.no_reference, Reason::TooLittleDepth) << other;
+    EXPECT_NEAR(object.motion.position_now.at.z(), SeenByALidar::place, 0.5) << other;
+  }
+}
+
+TEST(Remember, ManyPointsAreTheObjectWhereverTheyAre) {
+  SeenByALidar object;
+  object.see(1, SeenByALidar::place), object.remember();
+  object.see(1, SeenByALidar::lorry), object.remember();
+  EXPECT_EQ(object.motion.references.size(), 2u);
+}
+
+// What was remembered may have been the wrong one. It is not believed for longer than it is kept.
+TEST(Remember, WithoutAReferenceAFewPointsAreTheObject) {
+  SeenByALidar object;
+  object.see(3, SeenByALidar::lorry), object.remember();
+  ASSERT_EQ(object.motion.references.size(), 1u);
+  object.motion.forget_references(Reason::NoReference);
+  object.see(3, SeenByALidar::place), object.remember();
+  EXPECT_EQ(object.motion.references.size(), 1u);
+  EXPECT_NEAR(object.motion.position_now.at.z(), SeenByALidar::place, 0.5);
 }
 
 }  // namespace

@@ -84,6 +84,7 @@ struct ObjectTracker {
   ObjectFit fit(const Following& f, const ReferencePair& pair, int coarsest = PointSet::kMaxLevels) const;
   void add_evidence(Following& f, const ReferencePair& pair, const ObjectFit& fit, const ObjectFit& last) const;
   KnownVelocity known_velocity(const Following& f, const ReferencePair& pair) const;
+  bool cannot_be_at(double depth, double timestamp, const ObjectMotion& motion) const;
   void set_starts(const Following& f, const ReferencePair& pair) const;
   ReferencePair pair_with_current(const Following& f, const ObjectReference& r) const {
     return {r, r.camera.after(f.interval.camera), f.interval.cur.timestamp - r.timestamp};

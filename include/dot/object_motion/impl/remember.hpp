@@ -31,6 +31,17 @@ Reason ObjectTracker<Camera, Noise, Aligner>::make_reference(const FrameData& fr
   return Reason::None;
 }
 
+/// Whether an object cannot have moved from its place in the newest reference's frame to one at this depth.
+template <typename Camera, typename Noise, typename Aligner>
+bool ObjectTracker<Camera, Noise, Aligner>::cannot_be_at(double depth, double timestamp,
+                                                         const ObjectMotion& motion) const {
+  if (motion.references.empty() || !motion.position_now.is_ahead()) return false;
+  constexpr double kSigmas = 3;
+  const double z = motion.position_now.at.z(), seconds = timestamp - motion.references.front().timestamp;
+  const double sigma = z * z * std::hypot(noise.prior_pixel_sigma(1 / z), noise.prior_shared_sigma(1 / z));
+  return std::abs(depth - z) > estimator.settings.max_speed * seconds + motion.size + kSigmas * sigma;
+}
+
 template <typename Camera, typename Noise, typename Aligner>
 void ObjectTracker<Camera, Noise, Aligner>::remember(const FrameData& cur, const Mask* mask, Workspace& workspace,
                                                      ObjectMotion& motion) const {
@@ -40,16 +51,20 @@ void ObjectTracker<Camera, Noise, Aligner>::remember(const FrameData& cur, const
     return;
   }
   const Vector3<double> centre = centre_of(*mask, cur.inverse_depth(), camera, workspace.selection.values);
-  if (centre.z() > 0) {
+  const bool is_elsewhere = centre.z() > 0 && cannot_be_at(centre.z(), cur.timestamp, motion);
+  ObjectReference& r = motion.references.push_front();
+  r.restart(cur.timestamp);
+  Reason reason = make_reference(cur, *mask, centre, workspace, r);
+  // A lidar looks from another place than the camera. The few points under a mask may be of what stands before it.
+  const bool is_of_another = reason == Reason::None && is_elsewhere && r.area < selection.min_depth_share * mask->area;
+  if (is_of_another) reason = Reason::TooLittleDepth;
+  if (centre.z() > 0 && !is_of_another) {
     // The centre of the visible part of a half hidden object is not its middle. Its middle is then predicted by motion.
     constexpr double kWhole = 0.7;  // of the object's size
     const double size = std::sqrt(1.0 * mask->area) * centre.z() / camera.intrinsics().fx;
     if (size > kWhole * motion.size || !motion.position_now.is_ahead()) motion.position_now = {centre, true};
     motion.size = std::max(motion.size, size);
   }
-  ObjectReference& r = motion.references.push_front();
-  r.restart(cur.timestamp);
-  const Reason reason = make_reference(cur, *mask, centre, workspace, r);
   if (reason == Reason::None) return;
   motion.references.pop_front();
   motion.no_reference = reason;

@@ -125,6 +125,35 @@ TEST(Belief, ForgetsWithTimeAtAnyFrameRate) {
   }
 }
 
+// A fit that may be wrong raises the probability as far as the decision at most. The next that agrees decides.
+TEST(Belief, ADoubtfulFitAloneDoesNotDecideThatItMoves) {
+  MotionEstimate e = fit({8, 0, 0}, 0.3);
+  for (const double decide : {0.8, 0.9, 0.99}) {
+    VelocitySettings s = settings;
+    s.decide = decide;
+    Belief belief;
+    e.is_doubtful = true;
+    belief.update(e, s.v0, s);
+    EXPECT_LT(belief.p_moving(), decide);
+    EXPECT_NEAR(belief.p_moving(), decide, 1e-6);
+    EXPECT_TRUE(belief.has_velocity());
+    e.is_doubtful = false;
+    belief.update(e, s.v0, s);
+    EXPECT_GT(belief.p_moving(), decide);
+  }
+}
+
+TEST(Belief, ADoubtfulFitSpeaksForStandingAndTakesNothingBack) {
+  MotionEstimate stands = fit({0, 0, 0}, 0.2), moves = fit({8, 0, 0}, 0.3);
+  const double sure = evidence(stands);
+  stands.is_doubtful = moves.is_doubtful = true;
+  EXPECT_EQ(evidence(stands), sure);
+  Belief belief;
+  belief.log_odds = 4;  // further than the decision
+  belief.update(moves, settings.v0, settings);
+  EXPECT_EQ(belief.log_odds, 4);
+}
+
 TEST(Belief, VelocityTurnsWithTheCameraAndGrowsUncertain) {
   Belief belief;
   MotionEstimate e = fit({2, 0, 5}, 0);

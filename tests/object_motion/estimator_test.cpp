@@ -106,6 +106,29 @@ TEST(ObjectFit, StaysWhereTheObjectIsKnownToBe) {
   }
 }
 
+// The lowest minimum is refused because the object cannot have become so fast. The next one may be taken, but says so.
+TEST(ObjectFit, SaysIfALowerMinimumWasRefused) {
+  ObjectMotionEstimator estimator;
+  estimator.settings.min_phi = estimator.settings.min_phi_expected = -1;
+  estimator.settings.min_inlier_share = estimator.settings.min_depth_agreement = 0;
+  const MovingBox scene(1);
+  const dot::DepthNoise noise({}, dot::test::small_camera());
+  const SE3d right = SE3d::translation(scene.velocity * dt), wrong = SE3d::translation(-3 * scene.velocity * dt);
+  const ObjectFit lowest = scene.fit({}, {right, wrong}, noise, estimator);
+  ASSERT_TRUE(lowest.ok());
+  EXPECT_LT((lowest.motion.velocity - scene.velocity).norm(), 0.2);
+  EXPECT_TRUE(lowest.is_lowest);
+  const ObjectFit astray = scene.fit({}, {wrong}, noise, estimator);
+  ASSERT_TRUE(astray.ok()) << dot::to_string(astray.reason);
+  ASSERT_GT((astray.motion.velocity - scene.velocity).norm(), 2);
+  EXPECT_TRUE(astray.is_lowest) << "there is no other";
+  const dot::KnownVelocity known{astray.motion.velocity, 0.01 * dot::Matrix3<double>::Identity(), dt};
+  const ObjectFit second = scene.fit(known, {right, wrong}, noise, estimator);
+  ASSERT_TRUE(second.ok()) << dot::to_string(second.reason);
+  EXPECT_LT((second.motion.velocity - astray.motion.velocity).norm(), 0.2);
+  EXPECT_FALSE(second.is_lowest);
+}
+
 // A car's paint may have four times the noise of the road that taught it: what a fit says of the depth's part of its
 // error follows.
 TEST(ObjectFit, IsAsUnsureAsItsOwnDepthScatters) {

@@ -94,6 +94,48 @@ TEST(Tracks, LookBackWhereANewObjectBegins) {
   EXPECT_NEAR(t->motion.step.evidence.span_seconds, 0.1, kClockError);
 }
 
+/// A street with a thing that crosses it and rolls by 2 rad/s, in images so noisy that no fit correlates well.
+struct NoisyStreet : StageStreet {
+  static constexpr std::uint32_t rolling = 7;
+
+  NoisyStreet() {
+    film.degradation.noise = 25;
+    film.add(rolling, [](double t) {
+      return dot::SE3d{dot::so3::exp(Vector3<double>(0, 0, 2 * t)), Vector3<double>(-0.5 + 3 * t, 0.2, 6.5)};
+    });
+  }
+  void expect_a_first_fit(bool doubtful) {
+    const Track* t = find(rolling);
+    ASSERT_TRUE(t && t->motion.step.fit.ok() && t->motion.step.has_evidence);
+    ASSERT_LT(t->motion.step.fit.phi, dot::FirstFit::kSurePhi);
+    EXPECT_NEAR(t->motion.step.fit.motion.angular_velocity.norm(), 2, 0.5);
+    EXPECT_EQ(t->motion.step.evidence.is_doubtful, doubtful);
+    EXPECT_EQ(t->belief.state, doubtful ? State::NotObservable : State::Moving);
+  }
+};
+
+TEST(Tracks, AFirstFitThatTheOtherDirectionConfirmsDecides) {
+  NoisyStreet street;
+  street.next(true), street.next(true);
+  street.expect_a_first_fit(false);
+}
+
+TEST(Tracks, AFirstFitThatNothingConfirmsWaitsForAnother) {
+  NoisyStreet street;
+  street.next(true), street.next(false);
+  street.expect_a_first_fit(true);
+  street.next(true);
+  EXPECT_EQ(street.find(NoisyStreet::rolling)->belief.state, State::Moving);
+}
+
+TEST(Tracks, ALookBackThatNothingConfirmsWaitsForAnother) {
+  NoisyStreet street;
+  street.next(false), street.next(true);
+  street.expect_a_first_fit(true);
+  street.next(true);
+  EXPECT_EQ(street.find(NoisyStreet::rolling)->belief.state, State::Moving);
+}
+
 TEST(Tracks, ASmallInstanceStartsNone) {
   StageStreet street;
   street.advance();

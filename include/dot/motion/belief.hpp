@@ -40,7 +40,8 @@ DOT_BEGIN_NAMESPACE
 ///
 /// The belief depends on time, not on the number of frames. Fits of frames in close succession share most of their
 /// errors. So the fits of kIndependentSeconds together count as one, and the belief is the same at any frame rate.
-/// Values that are not finite do not change a belief.
+/// A doubtful fit does not raise the probability above `decide`, so that another one must agree before the object
+/// counts as moving. Values that are not finite do not change a belief.
 struct Belief {
   /// From here on errors of two fits are independent.
   static constexpr double kIndependentSeconds = Turning::kIndependentSeconds;
@@ -73,6 +74,7 @@ struct Belief {
   static double sq(double x) { return x * x; }
 
   static constexpr double kLeastTurning = 0.001;          ///< least probability that it turns, if it moves
+  static constexpr double kRounding = 1e-9;               ///< of log odds
   static constexpr double kTiny = 1e-300, kMost = 1e100;  ///< of a density and of a Bayes factor
 
   void weigh(const MotionEstimate& e, double v0, const VelocitySettings& s);

@@ -103,6 +103,7 @@ struct ObjectMotionEstimator {
       Alignment& a = candidates[order[i].second];
       aligner.reject_outliers_and_refit(problem, a, fine > 0 && candidates.size() == 1);
       ObjectFit attempt = fit_of(pair, problem, a, noise);
+      attempt.is_lowest = i == 0;
       attempt.reason = check(points, a, attempt, known);
       if (i == 0 || attempt.ok()) out = attempt;
       if (attempt.ok()) break;

@@ -9,6 +9,7 @@
 #include "dot/discovery/discovery.hpp"
 #include "dot/mask/painted_image.hpp"
 #include "dot/motion/classifier.hpp"
+#include "dot/object_motion/first_fit.hpp"
 #include "dot/object_motion/object_tracker.hpp"
 #include "dot/tracks/assignment.hpp"
 #include "dot/tracks/setup.hpp"
@@ -107,8 +108,7 @@ class Tracks {
   }
 
  private:
-  static constexpr double kSurePhi = 0.95;  ///< Pearson correlation from which on a first fit needs no other
-  static constexpr int kReach = 32;         ///< pixels; even a small object may move so far unexpectedly
+  static constexpr int kReach = 32;  ///< pixels; even a small object may move so far unexpectedly
 
   /// A track with the classifier's memory of it.
   struct ClassifiedTrack : Track {

@@ -55,7 +55,9 @@ DOT_INLINE void Belief::weigh(const MotionEstimate& e, double v0, const Velocity
   }
   const double cap = std::min(s.max_evidence_rate * frame, s.max_evidence);
   const double evidence = share * std::log(moves_or_stands);
+  const double before = log_odds, undecided = std::log(s.decide / (1 - s.decide)) - kRounding;
   log_odds = std::clamp(log_odds + std::clamp(evidence, -cap, cap), -s.max_log_odds, s.max_log_odds);
+  if (e.is_doubtful) log_odds = std::min(log_odds, std::max(before, undecided));
   filter(e, speed2);
 }
 

@@ -170,7 +170,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval
     step = tracker(setup, noise)
                .follow(t.motion, t.belief, {t.observed, &observations, discovered}, interval,
                        std::as_const(worker.nearer).image().view(), worker.object);
-    if (is_first && step.fit.ok() && step.fit.phi < kSurePhi) choose_first_fit(t, interval, setup, worker);
+    if (is_first && step.fit.ok() && !FirstFit::is_sure(step.fit)) choose_first_fit(t, interval, setup, worker);
   }
   decide(t, interval.cur, camera.T_cur_prev.R, camera.seconds, camera.seconds, setup);
 
@@ -199,11 +199,12 @@ void Tracks<Camera, Classifier, Noise, Aligner>::choose_first_fit(Track& t, cons
   if (t.observed && interval.prev)
     back = tracker(setup, setup.noise).align_backwards(t.motion, t.belief, *t.observed, interval, worker.object);
   if (back && back->phi > step.fit.phi) {
-    step.fit = *back;
-    step.T_o = step.T_o_outline = back->T_o;
-    step.evidence = back->motion;
-    step.has_evidence = back->phi >= setup.estimator.settings.min_phi;
+    std::swap(step.fit, *back);
+    step.T_o = step.T_o_outline = step.fit.T_o;
+    step.evidence = step.fit.motion;
+    step.has_evidence = step.fit.phi >= setup.estimator.settings.min_phi;
   }
+  step.evidence.is_doubtful = FirstFit::is_doubtful(step.fit, back, setup.estimator.prior);
   if (!refuses(t.motion, step.fit, interval, setup)) return;
   step = {};
   step.T_o = step.T_o_outline = t.belief.expected_motion(interval.camera.seconds);
@@ -216,7 +217,7 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 bool Tracks<Camera, Classifier, Noise, Aligner>::refuses(ObjectMotion& motion, const ObjectFit& first,
                                                          const Interval& interval, const Setup& setup) {
   const ObjectSettings& settings = setup.estimator.settings;
-  if (first.phi >= kSurePhi || first.motion.velocity.norm() <= settings.search_speed) return false;
+  if (FirstFit::is_sure(first) || first.motion.velocity.norm() <= settings.search_speed) return false;
   const KnownVelocity doubted{motion.doubted.velocity, motion.doubted.covariance, interval.camera.seconds};
   if (interval.prev && motion.doubted_at == interval.prev->timestamp &&
       !doubted.contradicts(first.motion, settings.max_acceleration))

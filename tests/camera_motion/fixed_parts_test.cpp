@@ -32,7 +32,8 @@ struct Setting {
   double distance = 4;       ///< metres, of the wall
   bool has_part = true;      ///< the lowest rows are fixed
   double part_distance = 1;  ///< metres, that the depth image has there
-  bool is_held = false;      ///< the camera's motion is measured as none
+  bool is_striped = false;   ///< that part has edges along the rows alone, which stay though it moves
+  double measured = 1;       ///< the camera's motion, over that to the wall
   int repeats = 0;           ///< FrameData::repeats of each frame
 };
 
@@ -77,7 +78,7 @@ class Camera {
     for (int y = 0; y < kHeight; ++y)
       for (int x = 0; x < kWidth; ++x) {
         const bool fixed = setting.has_part && y >= kFirstFixedRow;
-        grey(x, y) = fixed ? part_(x, y) : wall_((kSteps * x + shift) % wall_.width(), y);
+        grey(x, y) = fixed ? part_(setting.is_striped ? 0 : x, y) : wall_((kSteps * x + shift) % wall_.width(), y);
         q(x, y) = static_cast<float>(1 / (fixed ? setting.part_distance : setting.distance));
       }
     frame_.timestamp = time_;
@@ -88,7 +89,7 @@ class Camera {
     CameraStep step;
     step.status = CameraStatus::Tracked;
     step.seconds = 1 / setting.rate;
-    if (!setting.is_held) step.T_cur_prev = dot::SE3d::translation(Vector3<double>(-way, 0, 0));
+    step.T_cur_prev = dot::SE3d::translation(Vector3<double>(-setting.measured * way, 0, 0));
     found |= parts.look(frame_, background_, step, camera_);
   }
 
@@ -127,12 +128,29 @@ TEST(FixedParts, AreFoundWhileTheSceneMovesAtAnyFrameRate) {
 
 TEST(FixedParts, AreFoundThoughTheyHoldTheCamera) {
   Setting setting;
-  setting.is_held = true;
+  setting.measured = 0;
   Camera camera(setting);
   camera.drive(3);
   EXPECT_TRUE(camera.found);
   EXPECT_GT(camera.of_part(), 0.9);
   EXPECT_LT(camera.of_scene(), 0.01);
+}
+
+// The wall is a lorry without a mask. The camera's motion is right and does not explain how the lorry moves. The edges
+// of the road below are along its motion.
+TEST(FixedParts, AreNotWhatTheCameraPassesBesideAnotherMotion) {
+  Setting setting;
+  setting.measured = -1;
+  setting.is_striped = true;
+  Camera camera(setting);
+  camera.drive(3);
+  EXPECT_FALSE(camera.found);
+  EXPECT_EQ(camera.of_part(), 0);
+  setting.measured = 0;  // those of a bonnet may have held the camera
+  Camera held(setting);
+  held.drive(3);
+  EXPECT_TRUE(held.found);
+  EXPECT_GT(held.of_part(), 0.9);
 }
 
 TEST(FixedParts, AreNotInASceneThatMoves) {

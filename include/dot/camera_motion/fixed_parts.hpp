@@ -23,8 +23,9 @@ DOT_BEGIN_NAMESPACE
 /// far move. What the camera moves to or turns about stays, too, and edges along their own motion in the image, such as
 /// those of a road. The camera's motion tells these: by it they have not moved across themselves. But fixed parts may
 /// have spoilt that motion. So suspected edges are excluded on trial if they are many, or if the motion is *refuted*:
-/// it explains the change of less than a quarter of the others. They are admitted again if the motion that is measured
-/// without them explains that they stay.
+/// it explains the change of less than a quarter of the others. A large moving object without a mask refutes a right
+/// motion, too. So only edges that the refuted motion leaves where they are can have spoilt it. They are admitted again
+/// if the motion that is measured without them explains that they stay.
 class FixedParts {
  public:
   static constexpr double kLeastShare = 0.04;  ///< of the image; less does not hold the camera
@@ -78,6 +79,7 @@ class FixedParts {
  private:
   static constexpr float kKeep = 0.8f;        ///< of `crossed`, from one frame that counts to the next
   static constexpr float kMostShift = 1.5f;   ///< pixels of the level: longer ones tell no more
+  static constexpr float kHeld = 1;           ///< the same; its motion moves what holds the camera by less
   static constexpr float kCrossed = 2.5f;     ///< pixels of the level that an edge should have moved across itself
   static constexpr float kSuspected = 5;      ///< the same, assumed where the motion is refuted: a trial of four frames
   static constexpr int kLeastCompared = 5;    ///< cells
@@ -91,6 +93,7 @@ class FixedParts {
     float q = 0;        ///< 1/m; 0: it has no depth, no edges, or an object
     float crossed = 0;  ///< pixels of the level by which its edges should have moved across themselves
     int tried = 0;      ///< frames that count since it was excluded on trial, 0: it was not
+    float shift = 0;    ///< pixels of the level by which the camera's last motion moved it; 0: not known
   };
 
   static constexpr std::uint8_t kFixed = 1, kBeside = 2;
@@ -116,6 +119,7 @@ class FixedParts {
         const std::size_t i = edges_.index(column, row);
         Cell& cell = cells_[i];
         cell.q = edges_.has_edges(i) ? nearest(inverse_depth, column, row) : 0;
+        cell.shift = 0;
         const bool moves = edges_.moves(i);
         if (moves) cell.crossed = 0, cell.tried = 0;
         if (known_ && !is_refuted()) {
@@ -131,6 +135,7 @@ class FixedParts {
         if (X.z() < 1e-3f) continue;
         const Vector2<float> shift = (camera.template project<float>(X) - place) / pixel;
         const auto change = edges_.change(column, row, shift.x(), shift.y());
+        cell.shift = shift.norm();
         changed += tells;
         explained += tells && change.is_explained();
         if (is_asked && change.is_contradicted()) {
@@ -179,7 +184,7 @@ class FixedParts {
       return all[bin] >= StandingEdges::kLeastCells && moving[bin] > kMoving * all[bin];
     };
     const auto is_suspected = [&](std::size_t i) {
-      if (!(cells_[i].q > 0) || !edges_.stays(i)) return false;
+      if (!(cells_[i].q > 0) || !edges_.stays(i) || (is_refuted() && cells_[i].shift > kHeld)) return false;
       const std::size_t bin = bin_of(cells_[i].q);
       // A large part outnumbers what is as far as itself.
       return many_move(bin) || (bin >= kFarther && many_move(bin - kFarther));

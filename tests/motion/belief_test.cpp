@@ -125,19 +125,22 @@ TEST(Belief, ForgetsWithTimeAtAnyFrameRate) {
   }
 }
 
-// A fit that may be wrong raises the probability as far as the decision at most. The next that agrees decides.
+// A fit that may be wrong raises the probability as far as the decision at most. The next that agrees decides, even if
+// it is doubtful as well. One that does not agree is another first one.
 TEST(Belief, ADoubtfulFitAloneDoesNotDecideThatItMoves) {
-  MotionEstimate e = fit({8, 0, 0}, 0.3);
+  MotionEstimate e = fit({8, 0, 0}, 0.3), other = fit({0, 0, -6}, 0.3);
+  e.is_doubtful = other.is_doubtful = true;
   for (const double decide : {0.8, 0.9, 0.99}) {
     VelocitySettings s = settings;
     s.decide = decide;
     Belief belief;
-    e.is_doubtful = true;
     belief.update(e, s.v0, s);
     EXPECT_LT(belief.p_moving(), decide);
     EXPECT_NEAR(belief.p_moving(), decide, 1e-6);
     EXPECT_TRUE(belief.has_velocity());
-    e.is_doubtful = false;
+    Belief contradicted = belief;
+    contradicted.update(other, s.v0, s);
+    EXPECT_LT(contradicted.p_moving(), decide);
     belief.update(e, s.v0, s);
     EXPECT_GT(belief.p_moving(), decide);
   }

@@ -105,6 +105,30 @@ TEST(Follow, LooksPastAFrameThatGaveNoFit) {
   EXPECT_NEAR(step.fit.motion.span_seconds, 0.2, kClockError);
 }
 
+// The fit of the last interval is of a wrong minimum. That of an older frame starts from it and ends in the same one.
+TEST(Follow, AnOlderFrameDoesNotTakeADoubtAway) {
+  Following object({9, 0, 0}, 9);
+  auto& settings = object.setup.estimator.settings;
+  settings.min_phi = settings.min_phi_expected = -1;
+  settings.min_inlier_share = settings.min_depth_agreement = 0, settings.min_inliers = 1;
+  object.setup.estimator.velocity.acceleration = 0.1;  // m/s^2, so that the older frame is more precise
+  object.see(), object.remember();
+  object.see();
+  object.motion.step.T_o = dot::SE3d::translation({0.7, 0, 0});  // a wrong one, to which the next fit may go on
+  object.motion.advance(object.camera_step, {});
+  object.remember();
+  object.motion.has_T_o_now = true;
+  object.motion.T_o_now = object.motion.step.T_o;
+  settings.max_speed = 7.5;
+  object.see();
+  const ObjectStep step = object.follow();
+  ASSERT_TRUE(step.fit.ok() && step.has_evidence);
+  ASSERT_EQ(step.evidence.span_frames, 2);
+  EXPECT_TRUE(step.evidence.is_doubtful);
+  object.motion.references.pop_back();
+  EXPECT_TRUE(object.follow().evidence.is_doubtful);
+}
+
 TEST(Follow, WithoutAReferenceSaysWhy) {
   Following object({3, 0, 0});
   object.see();
@@ -178,7 +202,7 @@ TEST(MakeReference, SaysWhatIsMissing) {
   object.see();
   const auto reason = [&](const Mask& mask) {
     ObjectReference r;
-    return object.tracker().make_reference(*object.cur, mask, {0, 0, 7}, object.workspace, r);
+    return object.tracker().make_reference(*object.cur, mask, {0, 0, 7}, {}, object.workspace, r);
   };
   EXPECT_EQ(reason(object.mask(car)), Reason::None);
   Mask small;
@@ -248,6 +272,26 @@ TEST(Remember, AFewPointsThatAreFarFromTheObjectAreOfAnother) {
     EXPECT_EQ(object.motion.no_reference, Reason::TooLittleDepth) << other;
     EXPECT_NEAR(object.motion.position_now.at.z(), SeenByALidar::place, 0.5) << other;
   }
+}
+
+// They are also few where they are refused for another reason. The object stays where it was.
+TEST(Remember, AFewPointsOfAnotherThatWouldBeRefusedAnywayDoNotMoveTheObject) {
+  SeenByALidar object;
+  object.see(1, SeenByALidar::place), object.remember();
+  const double size = object.motion.size;
+  object.setup.estimator.settings.min_points = 100000;
+  object.see(3, 3 * SeenByALidar::place), object.remember();
+  EXPECT_NEAR(object.motion.position_now.at.z(), SeenByALidar::place, 0.5);
+  EXPECT_EQ(object.motion.size, size);
+}
+
+// The middle of a half hidden object is predicted, and drifts. The newest reference was measured.
+TEST(Remember, AFewPointsAreComparedWithWhatWasMeasured) {
+  SeenByALidar object;
+  object.see(1, SeenByALidar::place), object.remember();
+  object.motion.position_now.at.z() = 3 * SeenByALidar::place;
+  object.see(3, SeenByALidar::place), object.remember();
+  EXPECT_EQ(object.motion.references.size(), 2u);
 }
 
 TEST(Remember, ManyPointsAreTheObjectWhereverTheyAre) {

@@ -40,8 +40,8 @@ DOT_BEGIN_NAMESPACE
 ///
 /// The belief depends on time, not on the number of frames. Fits of frames in close succession share most of their
 /// errors. So the fits of kIndependentSeconds together count as one, and the belief is the same at any frame rate.
-/// A doubtful fit does not raise the probability above `decide`, so that another one must agree before the object
-/// counts as moving. Values that are not finite do not change a belief.
+/// A doubtful fit that agrees with none before raises the probability to `decide` at most. Values that are not finite
+/// do not change a belief.
 struct Belief {
   /// From here on errors of two fits are independent.
   static constexpr double kIndependentSeconds = Turning::kIndependentSeconds;
@@ -80,6 +80,7 @@ struct Belief {
   void weigh(const MotionEstimate& e, double v0, const VelocitySettings& s);
   double translates_or_stands(const MotionEstimate& e, double v0, double speed2, const VelocitySettings& s) const;
   double turns_or_not(const MotionEstimate& e, double v0, const VelocitySettings& s) const;
+  bool agrees(const MotionEstimate& e) const;
   void filter(const MotionEstimate& e, double speed2);
   static double density(const Vector3<double>& x, const Matrix3<double>& S);
   static double hypothesis(const Vector3<double>& v, const Matrix3<double>& V, const Vector3<double>& m,

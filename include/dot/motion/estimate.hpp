@@ -26,7 +26,7 @@ struct MotionEstimate {
   double disparity_px = 0;                            ///< d_d, see motion/disparity.hpp
   double disparity_noise_px = 0;                      ///< its noise due to Sigma_x alone
   double entropy = 0;                                 ///< H of Sigma_x, nats
-  bool is_doubtful = false;  ///< a first fit that may be wrong, see FirstFit: alone it should not decide *moving*
+  bool is_doubtful = false;  ///< may be of a wrong minimum, see FirstFit: alone it should not decide *moving*
 
   /// Speed of the points, m/s: root of the mean square over all of them.
   double point_speed() const;

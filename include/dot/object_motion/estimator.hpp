@@ -11,6 +11,7 @@
 #include "dot/motion/disparity.hpp"
 #include "dot/motion/known_velocity.hpp"
 #include "dot/object_motion/displacement_covariance.hpp"
+#include "dot/object_motion/first_fit.hpp"
 #include "dot/object_motion/fit.hpp"
 #include "dot/object_motion/problem.hpp"
 #include "dot/object_motion/velocity_search.hpp"
@@ -103,7 +104,7 @@ struct ObjectMotionEstimator {
       Alignment& a = candidates[order[i].second];
       aligner.reject_outliers_and_refit(problem, a, fine > 0 && candidates.size() == 1);
       ObjectFit attempt = fit_of(pair, problem, a, noise);
-      attempt.is_lowest = i == 0;
+      attempt.motion.is_doubtful = !(known.seconds > 0) && FirstFit::is_doubtful(attempt, i == 0, prior);
       attempt.reason = check(points, a, attempt, known);
       if (i == 0 || attempt.ok()) out = attempt;
       if (attempt.ok()) break;

@@ -15,7 +15,6 @@ struct ObjectFit {
   double phi = 0;                                   ///< Pearson correlation
   int n_points = 0;                                 ///< points inside the image
   int n_inliers = 0;                                ///< of these, points that fit the line between intensities
-  bool is_lowest = true;                            ///< false: a minimum that failed the checks costs less
   MotionEstimate motion;                            ///< velocity and its errors
 
   /// Whether there is a motion.

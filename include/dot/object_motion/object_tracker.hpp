@@ -10,6 +10,7 @@
 #include "dot/frame/frame_data.hpp"
 #include "dot/object_motion/belief.hpp"
 #include "dot/object_motion/estimator.hpp"
+#include "dot/object_motion/expected_depth.hpp"
 #include "dot/object_motion/last_interval.hpp"
 #include "dot/object_motion/object_motion.hpp"
 #include "dot/object_motion/workspace.hpp"
@@ -59,10 +60,15 @@ struct ObjectTracker {
                                            const Observation& observed, const Interval& interval,
                                            Workspace& workspace) const;
 
-  /// Fills a reference with the part of an object that a mask shows. @param centre of the mask.
+  /// Where the object can be in a frame, for a lidar; else unknown. @param T_then_now from the axes of `motion` to that
+  /// frame's camera.
+  ExpectedDepth expected_depth(const ObjectMotion& motion, const SE3d& T_then_now, double timestamp) const;
+
+  /// Fills a reference with the part of an object that a mask shows. @param centre of the mask. @param expected where
+  /// the object can be; few depths elsewhere are of something else.
   /// @return why the mask is not enough, or None if it is.
-  Reason make_reference(const FrameData& frame, const Mask& mask, const Vector3<double>& centre, Workspace& workspace,
-                        ObjectReference& r) const;
+  Reason make_reference(const FrameData& frame, const Mask& mask, const Vector3<double>& centre,
+                        const ExpectedDepth& expected, Workspace& workspace, ObjectReference& r) const;
 
   /// Adds the current frame to the references and updates the object's middle. @param mask its visible part, or null.
   void remember(const FrameData& cur, const Mask* mask, Workspace& workspace, ObjectMotion& motion) const;
@@ -84,7 +90,6 @@ struct ObjectTracker {
   ObjectFit fit(const Following& f, const ReferencePair& pair, int coarsest = PointSet::kMaxLevels) const;
   void add_evidence(Following& f, const ReferencePair& pair, const ObjectFit& fit, const ObjectFit& last) const;
   KnownVelocity known_velocity(const Following& f, const ReferencePair& pair) const;
-  bool cannot_be_at(double depth, double timestamp, const ObjectMotion& motion) const;
   void set_starts(const Following& f, const ReferencePair& pair) const;
   ReferencePair pair_with_current(const Following& f, const ObjectReference& r) const {
     return {r, r.camera.after(f.interval.camera), f.interval.cur.timestamp - r.timestamp};

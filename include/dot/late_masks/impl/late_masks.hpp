@@ -116,7 +116,8 @@ void LateMasks<Camera, Classifier, Noise, Aligner>::renew_reference(Track& t, co
   r.camera = then.since;
   r.T_obj_now_ref = T_now_then(t, then, now);
   const ObjectTracker<Camera, Noise, Aligner> tracker = TracksT::tracker(setup, setup.noise);
-  if (tracker.make_reference(*then.frame, mask, centre, worker.object, r) != Reason::None) return;
+  const ExpectedDepth expected = tracker.expected_depth(t.motion, r.T_obj_now_ref.inverse(), r.timestamp);
+  if (tracker.make_reference(*then.frame, mask, centre, expected, worker.object, r) != Reason::None) return;
   RecyclingList<ObjectReference>& all = t.motion.references;
   std::size_t place = 0;
   while (place < all.size() && all[place].timestamp > r.timestamp) ++place;

@@ -57,7 +57,7 @@ DOT_INLINE void Belief::weigh(const MotionEstimate& e, double v0, const Velocity
   const double evidence = share * std::log(moves_or_stands);
   const double before = log_odds, undecided = std::log(s.decide / (1 - s.decide)) - kRounding;
   log_odds = std::clamp(log_odds + std::clamp(evidence, -cap, cap), -s.max_log_odds, s.max_log_odds);
-  if (e.is_doubtful) log_odds = std::min(log_odds, std::max(before, undecided));
+  if (e.is_doubtful && !agrees(e)) log_odds = std::min(log_odds, std::max(before, undecided));
   filter(e, speed2);
 }
 
@@ -121,16 +121,21 @@ DOT_INLINE double Belief::turns_or_not(const MotionEstimate& e, double v0, const
   return ((1 - s.outliers) * turns + outlier + kTiny) / ((1 - s.outliers) * not_turns + outlier + kTiny);
 }
 
+/// Whether there is a velocity, from which a fit differs by no more than their errors.
+DOT_INLINE bool Belief::agrees(const MotionEstimate& e) const {
+  const Vector3<double> d = e.velocity - velocity;
+  return has_velocity() && d.dot((e.covariance + covariance).ldlt().solve(d)) <= chi2::k5SigmaOf1;
+}
+
 /// Kalman update of the velocity. The filter is restarted if fits contradict it.
 DOT_INLINE void Belief::filter(const MotionEstimate& e, double speed2) {
   const Vector3<double>& v = e.velocity;
   const Matrix3<double> V = e.covariance;
   const Matrix3<double> I = Matrix3<double>::Identity();
   const double frame = e.span_seconds / e.span_frames;
-  const bool agrees =
-      has_velocity() && (v - velocity).dot((V + covariance).ldlt().solve(v - velocity)) <= chi2::k5SigmaOf1;
-  if (!trust.accept(agrees, frame)) return;
-  if (!agrees) velocity.setZero(), covariance = kFastVariance * speed2 * I;
+  const bool expected = agrees(e);
+  if (!trust.accept(expected, frame)) return;
+  if (!expected) velocity.setZero(), covariance = kFastVariance * speed2 * I;
   const Matrix3<double> K = covariance * (covariance + std::max(1.0, kIndependentSeconds / frame) * V).inverse();
   velocity += K * (v - velocity);
   covariance = (I - K) * covariance;

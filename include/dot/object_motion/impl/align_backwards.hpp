@@ -17,7 +17,9 @@ std::optional<ObjectFit> ObjectTracker<Camera, Noise, Aligner>::align_backwards(
   const FrameData &cur = interval.cur, &prev = *interval.prev;
   ObjectReference& r = workspace.here;
   r.restart(cur.timestamp);
-  if (make_reference(cur, observed.mask, observed.centre, workspace, r) != Reason::None) return std::nullopt;
+  if (make_reference(cur, observed.mask, observed.centre, expected_depth(motion, {}, cur.timestamp), workspace, r) !=
+      Reason::None)
+    return std::nullopt;
   const SE3d& T_c = interval.camera.T_cur_prev;
   const SE3d T_prev_cur = T_c.inverse();
   const Matrix6<double> Ad = T_prev_cur.adjoint();

@@ -121,8 +121,9 @@ void ObjectTracker<Camera, Noise, Aligner>::fit_older(Following& f) const {
     f.workspace.starts.assign(1, pair.camera.T_now_ref.inverse() * f.T_c() * f.step.T_o * older.T_obj_now_ref);
     // The motion of the last interval leads to within a pixel or two of the place. Coarser levels would mix the object
     // with what is beside it, and lead a slow one away.
-    const ObjectFit found = fit(f, pair, f.step.fit.ok() ? kOlderTop : PointSet::kMaxLevels);
+    ObjectFit found = fit(f, pair, f.step.fit.ok() ? kOlderTop : PointSet::kMaxLevels);
     if (!found.ok()) continue;
+    found.motion.is_doubtful |= f.step.fit.ok() && f.step.fit.motion.is_doubtful;  // it started there
     const ObjectFit shared = over_last_interval(found, f.T_c().inverse() * pair.camera.T_now_ref, seconds,
                                                 estimator.velocity.acceleration_at(older.centroid.z()));
     add_evidence(f, pair, found, shared);

@@ -12,16 +12,19 @@ DOT_BEGIN_NAMESPACE
 
 template <typename Camera, typename Noise, typename Aligner>
 Reason ObjectTracker<Camera, Noise, Aligner>::make_reference(const FrameData& frame, const Mask& mask,
-                                                             const Vector3<double>& centre, Workspace& workspace,
+                                                             const Vector3<double>& centre,
+                                                             const ExpectedDepth& expected, Workspace& workspace,
                                                              ObjectReference& r) const {
   if (mask.area < selection.min_object_pixels) return Reason::TooFewPixels;
   const Selector<Camera, Noise> select{
       camera, noise, frame.pyramid, frame.inverse_depth().view(), selection, workspace.selection, kernels};
   const ObjectPoints found =
       select_object(select, {mask.x, mask.y, mask.width(), mask.height()}, mask.pixels.view(), mask.area, r.points);
-  // Beyond its range or in the dark a stereo matcher finds little. The few depths that it gives there may be wrong.
-  if (depth_source != DepthSource::Lidar && found.pixels_with_depth < selection.min_depth_share * mask.area)
-    return Reason::TooLittleDepth;
+  // Beyond its range or in the dark a stereo matcher finds little. The few depths that it gives there may be wrong. A
+  // lidar looks from another place than the camera. Its few points under a mask may be of what stands beside the
+  // object.
+  const bool few = found.pixels_with_depth < selection.min_depth_share * mask.area;
+  if (few && (depth_source != DepthSource::Lidar || expected.excludes(centre.z()))) return Reason::TooLittleDepth;
   if (r.points.size() < estimator.settings.min_points)
     return found.shape_known ? Reason::TooLittleTexture : Reason::TooLittleDepth;
   r.points.bias = frame.bias;
@@ -31,15 +34,17 @@ Reason ObjectTracker<Camera, Noise, Aligner>::make_reference(const FrameData& fr
   return Reason::None;
 }
 
-/// Whether an object cannot have moved from its place in the newest reference's frame to one at this depth.
 template <typename Camera, typename Noise, typename Aligner>
-bool ObjectTracker<Camera, Noise, Aligner>::cannot_be_at(double depth, double timestamp,
-                                                         const ObjectMotion& motion) const {
-  if (motion.references.empty() || !motion.position_now.is_ahead()) return false;
+ExpectedDepth ObjectTracker<Camera, Noise, Aligner>::expected_depth(const ObjectMotion& motion, const SE3d& T_then_now,
+                                                                    double timestamp) const {
+  if (depth_source != DepthSource::Lidar || motion.references.empty()) return {};
   constexpr double kSigmas = 3;
-  const double z = motion.position_now.at.z(), seconds = timestamp - motion.references.front().timestamp;
+  const ObjectReference& newest = motion.references.front();
+  const double z = (T_then_now * newest.T_obj_now_ref * newest.anchor).z();
+  if (newest.anchor.z() <= 0 || z <= 0) return {};
   const double sigma = z * z * std::hypot(noise.prior_pixel_sigma(1 / z), noise.prior_shared_sigma(1 / z));
-  return std::abs(depth - z) > estimator.settings.max_speed * seconds + motion.size + kSigmas * sigma;
+  const double moved = estimator.settings.max_speed * std::abs(timestamp - newest.timestamp);
+  return {z, moved + motion.size + kSigmas * sigma};
 }
 
 template <typename Camera, typename Noise, typename Aligner>
@@ -51,13 +56,11 @@ void ObjectTracker<Camera, Noise, Aligner>::remember(const FrameData& cur, const
     return;
   }
   const Vector3<double> centre = centre_of(*mask, cur.inverse_depth(), camera, workspace.selection.values);
-  const bool is_elsewhere = centre.z() > 0 && cannot_be_at(centre.z(), cur.timestamp, motion);
+  const ExpectedDepth expected = expected_depth(motion, {}, cur.timestamp);
   ObjectReference& r = motion.references.push_front();
   r.restart(cur.timestamp);
-  Reason reason = make_reference(cur, *mask, centre, workspace, r);
-  // A lidar looks from another place than the camera. The few points under a mask may be of what stands before it.
-  const bool is_of_another = reason == Reason::None && is_elsewhere && r.area < selection.min_depth_share * mask->area;
-  if (is_of_another) reason = Reason::TooLittleDepth;
+  const Reason reason = make_reference(cur, *mask, centre, expected, workspace, r);
+  const bool is_of_another = reason == Reason::TooLittleDepth && expected.excludes(centre.z());
   if (centre.z() > 0 && !is_of_another) {
     // The centre of the visible part of a half hidden object is not its middle. Its middle is then predicted by motion.
     constexpr double kWhole = 0.7;  // of the object's size

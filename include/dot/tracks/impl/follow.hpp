@@ -204,7 +204,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::choose_first_fit(Track& t, cons
     step.evidence = step.fit.motion;
     step.has_evidence = step.fit.phi >= setup.estimator.settings.min_phi;
   }
-  step.evidence.is_doubtful = FirstFit::is_doubtful(step.fit, back, setup.estimator.prior);
+  if (back && FirstFit::agree(step.fit.motion, back->motion)) step.evidence.is_doubtful = false;
   if (!refuses(t.motion, step.fit, interval, setup)) return;
   step = {};
   step.T_o = step.T_o_outline = t.belief.expected_motion(interval.camera.seconds);

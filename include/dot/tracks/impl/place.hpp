@@ -93,8 +93,6 @@ void Tracks<Camera, Classifier, Noise, Aligner>::align_backwards(Track& t, const
   if (step.has_evidence) return;  // an older frame gave evidence already
   // The belief was already predicted to this frame, so the evidence is given in this frame's axes.
   step.evidence = fit->motion.rotated(T_c.R);
-  if (!t.belief.has_velocity())
-    step.evidence.is_doubtful = FirstFit::is_doubtful(*fit, std::nullopt, setup.estimator.prior);
   step.has_evidence = fit->phi >= setup.estimator.settings.min_phi;
   decide(t, interval.cur, Matrix3<double>::Identity(), interval.camera.seconds, 0, setup);
 }

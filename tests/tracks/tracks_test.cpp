@@ -121,19 +121,14 @@ TEST(Tracks, AFirstFitThatTheOtherDirectionConfirmsDecides) {
 }
 
 TEST(Tracks, AFirstFitThatNothingConfirmsWaitsForAnother) {
-  NoisyStreet street;
-  street.next(true), street.next(false);
-  street.expect_a_first_fit(true);
-  street.next(true);
-  EXPECT_EQ(street.find(NoisyStreet::rolling)->belief.state, State::Moving);
-}
-
-TEST(Tracks, ALookBackThatNothingConfirmsWaitsForAnother) {
-  NoisyStreet street;
-  street.next(false), street.next(true);
-  street.expect_a_first_fit(true);
-  street.next(true);
-  EXPECT_EQ(street.find(NoisyStreet::rolling)->belief.state, State::Moving);
+  for (const bool forwards : {true, false}) {
+    SCOPED_TRACE(forwards ? "forwards" : "looking back");
+    NoisyStreet street;
+    street.next(forwards), street.next(!forwards);
+    street.expect_a_first_fit(true);
+    street.next(true);
+    EXPECT_EQ(street.find(NoisyStreet::rolling)->belief.state, State::Moving);
+  }
 }
 
 TEST(Tracks, ASmallInstanceStartsNone) {

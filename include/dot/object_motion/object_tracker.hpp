@@ -60,8 +60,8 @@ struct ObjectTracker {
                                            const Observation& observed, const Interval& interval,
                                            Workspace& workspace) const;
 
-  /// Where the object can be in a frame, for a lidar; else unknown. @param T_then_now from the axes of `motion` to that
-  /// frame's camera.
+  /// Where the object can be in a frame, for a lidar; else unknown. @param T_then_now moves the object's points from
+  /// where they are in `motion` to the axes of that frame's camera. @param timestamp of that frame, seconds.
   ExpectedDepth expected_depth(const ObjectMotion& motion, const SE3d& T_then_now, double timestamp) const;
 
   /// Fills a reference with the part of an object that a mask shows. @param centre of the mask. @param expected where

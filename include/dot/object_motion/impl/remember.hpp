@@ -21,8 +21,7 @@ Reason ObjectTracker<Camera, Noise, Aligner>::make_reference(const FrameData& fr
   const ObjectPoints found =
       select_object(select, {mask.x, mask.y, mask.width(), mask.height()}, mask.pixels.view(), mask.area, r.points);
   // Beyond its range or in the dark a stereo matcher finds little. The few depths that it gives there may be wrong. A
-  // lidar looks from another place than the camera. Its few points under a mask may be of what stands beside the
-  // object.
+  // lidar looks from another place than the camera, so a few of its points under a mask can belong to a neighbour.
   const bool few = found.pixels_with_depth < selection.min_depth_share * mask.area;
   if (few && (depth_source != DepthSource::Lidar || expected.excludes(centre.z()))) return Reason::TooLittleDepth;
   if (r.points.size() < estimator.settings.min_points)

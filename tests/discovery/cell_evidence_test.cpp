@@ -54,7 +54,6 @@ struct Case {
     settings.source = dot::DepthSource::Stereo;
     noise = DepthNoise(settings, {400, 400, 0, 0, 4 * width, 4 * height, 0.5});
     test.prepare(camera);
-    test.intensity_scale = 1;
   }
   /// The box has moved by some cells; the hypothesis says so, or another number of cells.
   void compare(int moved, double hypothesis, int contrast = 100) {
@@ -64,7 +63,7 @@ struct Case {
         {0, 0, 4 * width, 4 * height}, [](int, int) { return true; }, mask);
     evidence.restart(mask, 4);
     const SE3d T = SE3d::translation(Vector3<double>(hypothesis / 100 / static_cast<double>(box), 0, 0));
-    const CellComparison<Pinhole, DepthNoise> comparison{camera, noise, test, now, before, motion};
+    const CellComparison<Pinhole, DepthNoise> comparison{camera, noise, test, now, before, motion, 1};
     comparison(T, evidence);
   }
   /// Mean over the cells of a box that are compared.
@@ -136,7 +135,7 @@ TEST(CellEvidence, NothingIsReadOutsideOfTheImage) {
       {-8, -8, 4 * width + 16, 4 * height + 16}, [](int, int) { return true; }, mask);
   const CellFrame frame = scene(first);
   c.evidence.restart(mask, 4);
-  const CellComparison<Pinhole, DepthNoise> comparison{c.camera, c.noise, c.test, frame, frame, c.motion};
+  const CellComparison<Pinhole, DepthNoise> comparison{c.camera, c.noise, c.test, frame, frame, c.motion, 1};
   comparison(SE3d::translation(Vector3<double>(0.5, 0, 0)), c.evidence);
   EXPECT_EQ(c.evidence.measured(0, 0), 0);
   EXPECT_EQ(c.evidence.measured(c.evidence.total.width() - 1, c.evidence.total.height() - 1), 0);

@@ -37,14 +37,14 @@ struct Case {
   const std::vector<std::vector<int>>& grow() {
     grower(
         q, evidence, followed, [](float) { return 0.0005f; }, [](int, int y) { return y < 36; },
-        [this](int x, int y) { return evidence.depth(x, y) > RegionGrower::kSeed || photo(x, y); });
+        [this](int x, int y) { return evidence.depth(x, y) || photo(x, y); });
     return grower.regions;
   }
 };
 
 TEST(RegionGrower, GrowsOverContinuousDepth) {
   Case c;
-  c.set(c.evidence.depth, 30, 50, 5.f);
+  c.set(c.evidence.depth, 30, 50, std::uint8_t{255});
   ASSERT_EQ(c.grow().size(), 1u);
   const std::vector<int>& region = c.grower.regions[0];
   EXPECT_EQ(region.size(), 30u * 20u);  // all of the thing, nothing of the wall
@@ -54,7 +54,7 @@ TEST(RegionGrower, GrowsOverContinuousDepth) {
 TEST(RegionGrower, GrowsNoFartherThanTheEvidenceAllows) {
   Case c;
   c.set(c.q, 0, width, thing);
-  c.set(c.evidence.depth, 30, 40, 5.f);
+  c.set(c.evidence.depth, 30, 40, std::uint8_t{255});
   ASSERT_EQ(c.grow().size(), 1u);
   int left = width, right = 0;
   for (const int i : c.grower.regions[0]) left = std::min(left, i % width), right = std::max(right, i % width);
@@ -65,7 +65,7 @@ TEST(RegionGrower, GrowsNoFartherThanTheEvidenceAllows) {
 TEST(RegionGrower, FewSeedsAreNoise) {
   Case c;
   c.set(c.q, 60, 65, 0.2f, 15, 16);
-  c.set(c.evidence.depth, 60, 65, 5.f, 15, 16);
+  c.set(c.evidence.depth, 60, 65, std::uint8_t{255}, 15, 16);
   EXPECT_TRUE(c.grow().empty());
 }
 
@@ -77,15 +77,15 @@ TEST(RegionGrower, IntensityAloneGivesNoSeeds) {
 
 TEST(RegionGrower, ClosedCellsAreLeftOut) {
   Case c;
-  c.set(c.evidence.depth, 20, 50, 5.f, 36, 40);
+  c.set(c.evidence.depth, 20, 50, std::uint8_t{255}, 36, 40);
   EXPECT_TRUE(c.grow().empty());
 }
 
 TEST(RegionGrower, PartsOfAFollowedThingAreOne) {
   Case c;
   c.set(c.q, 34, 36, 0.2f);  // a post before it
-  c.set(c.evidence.depth, 20, 34, 5.f);
-  c.set(c.evidence.depth, 36, 50, 5.f);
+  c.set(c.evidence.depth, 20, 34, std::uint8_t{255});
+  c.set(c.evidence.depth, 36, 50, std::uint8_t{255});
   EXPECT_EQ(c.grow().size(), 2u);
   c.set(c.followed, 20, 34, std::uint8_t{3});
   c.set(c.followed, 36, 50, std::uint8_t{3});

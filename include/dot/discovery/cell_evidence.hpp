@@ -57,6 +57,7 @@ struct CellComparison {
   const CellFrame& current;                      ///< the new frame
   const CellFrame& reference;                    ///< the earlier frame
   const CellMotion& motion;                      ///< of a standing scene
+  float intensity_scale;                         ///< grey values: robust scale of the residuals
 
   /// Adds the evidence of this reference. @param T_cur_ref motion of the object's points.
   void operator()(const SE3d& T_cur_ref, CellEvidence& out) const {
@@ -100,7 +101,7 @@ struct CellComparison {
     constexpr float kGradientNoise = InconsistencyTest<Camera, Noise>::kGradientNoise;
     const float r = static_cast<float>(current.grey(x, y)) - static_cast<float>(motion.offset) -
                     static_cast<float>(motion.gain) * bilinear(reference.grey, m.u, m.v);
-    const float scale = std::max(kLeastContrast, test.intensity_scale);
+    const float scale = std::max(kLeastContrast, intensity_scale);
     const float variance = scale * scale + kGradientNoise * kGradientNoise * current.gradient(x, y).squaredNorm();
     return std::min(kMostCost, r * r / variance);
   }

@@ -87,7 +87,7 @@ class Discovery {
 
     const auto sigma = [&](float value) { return noise.pixel_sigma(value); };
     planes_.find(q, cells.intrinsics(), sigma,
-                 [&](int x, int y) { return !covered_(x, y) && inconsistency_.depth(x, y) < RegionGrower::kSeed; });
+                 [&](int x, int y) { return !covered_(x, y) && !inconsistency_.depth(x, y); });
     const auto open = [&](int x, int y) {
       return !covered_(x, y) && !planes_.hold(x, y, q(x, y), static_cast<float>(noise.pixel_sigma(q(x, y))));
     };
@@ -112,7 +112,9 @@ class Discovery {
     for (std::size_t i = references.size(); i-- > 0 && compared < kMostCompared;)
       for (const Reference& r : history_) {
         if (r.timestamp != references[i].timestamp) continue;
-        const CellComparison<Camera, Noise> comparison{cells, noise, test_, current_, r.frame, r.motion};
+        // Not every frame was compared. The oldest was, and has the largest residuals.
+        const float scale = history_.back().intensity_scale;
+        const CellComparison<Camera, Noise> comparison{cells, noise, test_, current_, r.frame, r.motion, scale};
         comparison(references[i].T_obj_now_ref, out.evidence);
         ++compared;
       }
@@ -181,7 +183,7 @@ class Discovery {
                        [](float v) { return v > 0; });
   }
 
-  /// Compares with the newest reference, one in the middle, and the oldest.
+  /// Compares with the oldest reference, one in the middle, and the newest.
   void compare(const Camera& cells, const Noise& noise, double timestamp) {
     test_.prepare(cells);
     for (Reference& r : history_) {
@@ -191,7 +193,7 @@ class Discovery {
     history_[0].motion.adjacent = true;
     const std::size_t n = history_.size();
     std::size_t last = n;
-    for (const std::size_t k : {std::size_t{0}, n / 2, n - 1}) {
+    for (const std::size_t k : {n - 1, n / 2, std::size_t{0}}) {
       if (k == last) continue;
       last = k;
       Reference& r = history_[k];
@@ -203,7 +205,7 @@ class Discovery {
 
   /// Whether a cell contradicts a static scene, by its depth or by its grey value.
   bool contradicts(const Camera& cells, const Noise& noise, int x, int y) const {
-    if (inconsistency_.depth(x, y) > RegionGrower::kSeed) return true;
+    if (inconsistency_.depth(x, y)) return true;
     for (const Reference& r : history_)
       if (r.intensity_scale > 0 &&
           test_.photo(cells, noise, current_, r.frame, r.motion, r.intensity_scale, x, y) > RegionGrower::kPhoto)

@@ -48,17 +48,30 @@ struct CellFrame {
   Image<float> rows_;  ///< scratch
 };
 
-/// How much the depth of each cell of the new frame contradicts a static scene. It is the maximum over the references.
+/// The cells of the new frame whose depth contradicts a static scene, by any reference.
 struct Inconsistency {
-  Image<float> depth;     ///< sigma, of the measured depth with the predicted one; 0 if it does not contradict
-  Image<float> receding;  ///< 1/m per second: speed at which the last frame's surface there recedes, 0 if it does not
+  static constexpr float kSigmas = 3;  ///< least difference of the measured and the predicted depth
 
-  /// Sets the size, and all cells to 0.
+  Image<std::uint8_t> depth;  ///< non-zero: it contradicts
+  /// 1/m per second, 0 = any: what the last frame's surface must recede at, for an older frame to contradict.
+  Image<float> least_rate;
+
+  /// Sets the size. No cell contradicts.
   void clear(int width, int height) {
-    for (Image<float>* image : {&depth, &receding}) {
-      image->resize(width, height);
-      image->fill(0);
-    }
+    depth.resize(width, height);
+    depth.fill(0);
+    least_rate.resize(width, height);
+    least_rate.fill(0);
+  }
+
+  /// An older frame contradicts the cell, if the surface of the last frame recedes there at this rate, 1/m per second.
+  void contradict_if(int x, int y, float rate) {
+    float& least = least_rate(x, y);
+    least = least > 0 ? std::min(least, rate) : rate;
+  }
+  /// The surface of the last frame recedes at the cell at this rate, 1/m per second.
+  void recede(int x, int y, float rate) {
+    if (least_rate(x, y) > 0 && rate >= least_rate(x, y)) depth(x, y) = 255;
   }
 };
 
@@ -85,7 +98,7 @@ struct CellMotion {
 ///   reference, a cell must also recede in the last interval at half or more of its mean rate since that reference.
 ///
 /// Both differences are to the nearest surface of 3x3 cells. This tolerates fattened edges and half a cell of error.
-/// They are divided by the sigma of the difference, s^2 = 2 pixel^2 + common^2 + (q^2 sigma_t)^2.
+/// They count from `Inconsistency::kSigmas` of the difference on, s^2 = 2 pixel^2 + common^2 + (q^2 sigma_t)^2.
 ///
 /// Cells on the reference's surface or nearer can also be compared by intensity, see `photo`. That is done where
 /// it is asked for alone. Only the scale of all residuals is needed for it, which some of the cells tell.
@@ -94,7 +107,7 @@ class InconsistencyTest {
  public:
   static constexpr float kLeaving = 0.25f;       ///< of the present range
   static constexpr float kGradientNoise = 0.2f;  ///< cells
-  static constexpr int kSampled = 4;             ///< of so many cells one tells the scale of the residuals
+  static constexpr int kSamples = 2000;          ///< cells that tell the scale of the residuals, roughly
 
   CellWarp<Camera> warp;       ///< between the frames
   float intensity_scale = 10;  ///< grey values: robust scale of the residuals of the last call
@@ -110,11 +123,12 @@ class InconsistencyTest {
   /// @param camera of the cells' level.
   void prepare(const Camera& camera) { warp.prepare(camera); }
 
-  /// Adds the evidence of `reference` about `current`. Call it for the last frame first.
+  /// Adds the evidence of `reference` about `current`. Call it for the last frame last.
   /// @param standing the reference's inverse depth where no track explains the cell, 0 elsewhere.
   void operator()(const Camera& camera, const Noise& noise, const CellFrame& current, const CellFrame& reference,
                   const Image<float>& standing, const CellMotion& motion, Inconsistency& out) {
     entered(camera, noise, current, reference, motion, out);
+    if (motion.adjacent) find_awaited(out);
     left(camera, noise, current, standing, motion, out, [](int, int) { return true; });
   }
 
@@ -150,6 +164,17 @@ class InconsistencyTest {
  private:
   using Moved = typename CellWarp<Camera>::Moved;
 
+  /// Whether a difference to an inverse depth q is positive and more than the noise, which is least at q = 0.
+  struct Contradicts {
+    const Noise& noise;
+    const CellMotion& motion;
+    const float least = Inconsistency::kSigmas * sigma(noise, 0, motion);  ///< spares most cells the noise at their q
+
+    bool operator()(float difference, float q) const {
+      return difference > least && difference > Inconsistency::kSigmas * sigma(noise, q, motion);
+    }
+  };
+
   /// Whether the reference shows a surface there that does not hide the cell.
   static bool is_visible(const Noise& noise, const CellFrame& reference, const CellMotion& motion, const Moved& m) {
     const int u = static_cast<int>(m.u + 0.5f), v = static_cast<int>(m.v + 0.5f);
@@ -164,19 +189,20 @@ class InconsistencyTest {
   void entered(const Camera& camera, const Noise& noise, const CellFrame& current, const CellFrame& reference,
                const CellMotion& motion, Inconsistency& out) {
     const SE3f T = motion.T_cur_ref.inverse().template cast<float>();
+    const Contradicts contradicts{noise, motion};
     magnitudes_.clear();
+    const int step = std::max(4, current.q.width() * current.q.height() / kSamples);
     for (int y = 1; y + 1 < current.q.height(); ++y) {
       warp.move_row(camera, T, y, current.q.row(y));
       const float* nearest = reference.nearest.row(0);
-      float* depth = out.depth.row(y);
+      std::uint8_t* depth = out.depth.row(y);
       for (int x = 1; x + 1 < current.q.width(); ++x) {
         const int place = warp.nearest(x);
         if (place < 0) continue;
         const float q = warp.moved_q(x), near = nearest[place];
-        // Most cells are on the nearest surface or behind it, and need no sigma.
-        if (near > 0 && q > near) depth[x] = std::max(depth[x], (q - near) / sigma(noise, q, motion));
+        if (near > 0 && contradicts(q - near, q)) depth[x] = 255;
       }
-      for (int x = 1 + y % kSampled; x + 1 < current.q.width(); x += kSampled) {
+      for (int x = 1 + y % step; x + 1 < current.q.width(); x += step) {
         const int place = warp.nearest(x);
         if (place < 0 || !(nearest[place] > 0)) continue;
         const float q = warp.moved_q(x), s = sigma(noise, q, motion);
@@ -187,32 +213,44 @@ class InconsistencyTest {
     intensity_scale = scale_of_residuals();
   }
 
+  /// Sets awaited_ to the cells beside which the rate of the last frame's surface matters.
+  void find_awaited(const Inconsistency& out) {
+    const Image<float>& rate = out.least_rate;
+    awaited_.resize(rate.width(), rate.height());
+    std::transform(rate.row(0), rate.row(0) + static_cast<std::ptrdiff_t>(rate.width()) * rate.height(),
+                   awaited_.row(0), [](float least) { return static_cast<std::uint8_t>(least > 0 ? 255 : 0); });
+    dilate<1>(std::as_const(awaited_).view(), rows_, awaited_.view());
+  }
+
   /// @param counts (u, v) -> bool: whether the evidence is about this cell.
   template <typename Counts>
   void left(const Camera& camera, const Noise& noise, const CellFrame& current, const Image<float>& standing,
             const CellMotion& motion, Inconsistency& out, Counts&& counts) {
     const SE3f T = motion.T_cur_ref.template cast<float>();
+    const Contradicts contradicts{noise, motion};
     for (int y = 0; y < standing.height(); ++y) {
       const float* row = standing.row(y);
       if (std::none_of(row, row + standing.width(), [](float q) { return q > 0; })) continue;
       warp.move_row(camera, T, y, row);
       for (int x = 0; x < standing.width(); ++x) {
-        if (warp.nearest(x) < 0) continue;
-        const float behind = warp.moved_q(x) - current.nearest.row(0)[warp.nearest(x)];
-        if (!(behind > 0) && !motion.adjacent) continue;
+        const int place = warp.nearest(x);
+        if (place < 0) continue;
+        const float before = warp.moved_q(x), behind = before - current.nearest.row(0)[place];
+        const bool has_left = contradicts(behind, before);
+        if (!has_left && !(motion.adjacent && awaited_.row(0)[place])) continue;
         const Moved m = warp.moved(x);
-        const float d = behind > 0 ? behind / sigma(noise, m.q, motion) : 0;
         const int u0 = static_cast<int>(m.u), v0 = static_cast<int>(m.v);
         for (int v = v0; v <= v0 + 1; ++v)
           for (int u = u0; u <= u0 + 1; ++u) {
             const float now = current.q(u, v);
-            if (!(now > 0) || m.q * (1 - kLeaving) > now || !counts(u, v)) continue;
-            const float rate = (m.q - now) / static_cast<float>(motion.seconds);
-            if (motion.adjacent)
-              out.receding(u, v) = std::max(out.receding(u, v), rate);
-            else if (out.receding(u, v) < 0.5f * rate)
-              continue;
-            out.depth(u, v) = std::max(out.depth(u, v), d);
+            if (!(now > 0) || before * (1 - kLeaving) > now || !counts(u, v)) continue;
+            const float rate = (before - now) / static_cast<float>(motion.seconds);
+            if (!motion.adjacent)
+              out.contradict_if(u, v, 0.5f * rate);
+            else if (has_left)
+              out.depth(u, v) = 255;
+            else
+              out.recede(u, v, rate);
           }
       }
     }
@@ -224,7 +262,8 @@ class InconsistencyTest {
     return std::max(1.f, static_cast<float>(kSigmaOfMedian) * median(magnitudes_.begin(), magnitudes_.end()));
   }
 
-  std::vector<float> magnitudes_;  ///< of sampled residuals, grey values
+  std::vector<float> magnitudes_;       ///< of sampled residuals, grey values
+  Image<std::uint8_t> awaited_, rows_;  ///< cells; the second is scratch
 };
 
 DOT_END_NAMESPACE

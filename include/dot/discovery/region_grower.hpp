@@ -20,7 +20,6 @@ DOT_BEGIN_NAMESPACE
 /// or in intensity. A shadow changes the intensity alone and gives no seeds.
 class RegionGrower {
  public:
-  static constexpr float kSeed = 3;            ///< sigma
   static constexpr float kPhoto = 4;           ///< sigma
   static constexpr int kMinSeeds = 6;          ///< cells of a cluster
   static constexpr int kMinCells = 10;         ///< of a region
@@ -41,23 +40,23 @@ class RegionGrower {
     height_ = q.height();
     q_ = &q;
     const std::size_t size = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-    state_.assign(size, kClosed);
-    tolerance_.resize(size);
-    for (int y = 0; y < height_; ++y)
-      for (int x = 0; x < width_; ++x) {
-        const float value = q(x, y);
-        if (!(value > 0) || !open(x, y)) continue;
-        const std::size_t i = index(x, y);
-        state_[i] = evidence.depth(x, y) > kSeed || followed(x, y) ? kSeedCell : kOpen;
-        tolerance_[i] = std::max(kContinuous * value, 2.5f * static_cast<float>(sigma(value)));
-      }
+    state_.assign(size, kUnknown);
+    const auto tolerance = [&](float value) {
+      return std::max(kContinuous * value, 2.5f * static_cast<float>(sigma(value)));
+    };
+    const auto is_open = [&](std::size_t i) {
+      return q_at(i) > 0 && open(static_cast<int>(i) % width_, static_cast<int>(i) / width_);
+    };
+    const std::uint8_t *inconsistent = evidence.depth.row(0), *expected = followed.row(0);
+    for (std::size_t i = 0; i < size; ++i)
+      if (inconsistent[i] || expected[i]) state_[i] = is_open(i) ? kSeedCell : kClosed;
     clusters_.clear();
     for (std::size_t i = 0; i < size; ++i)
       if (state_[i] == kSeedCell) {
         std::vector<int> cluster;
         state_[i] = kOpen;
         cluster.push_back(static_cast<int>(i));
-        spread(cluster, 0, 0,
+        spread(cluster, 0, 0, tolerance,
                [&](std::size_t k) { return state_[k] == kSeedCell ? (state_[k] = kOpen, true) : false; });
         if (static_cast<int>(cluster.size()) >= kMinSeeds) clusters_.push_back(std::move(cluster));
       }
@@ -65,12 +64,12 @@ class RegionGrower {
       return l.size() != r.size() ? l.size() > r.size() : l.front() < r.front();
     });
     regions.clear();
-    for (std::vector<int>& cluster : clusters_) grow(cluster, evidence, followed, contradicts);
-    merge(followed);
+    for (std::vector<int>& cluster : clusters_) grow(cluster, evidence, followed, is_open, tolerance, contradicts);
+    merge(followed, tolerance);
   }
 
  private:
-  enum State : std::uint8_t { kClosed, kOpen, kSeedCell, kTaken };
+  enum State : std::uint8_t { kUnknown, kClosed, kOpen, kSeedCell, kTaken };
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
@@ -79,17 +78,17 @@ class RegionGrower {
 
   /// Breadth-first search over cells of continuous depth that `take` accepts. It starts at the cells from index `begin`
   /// on and goes at most `steps` cells away (0: any number).
-  template <typename Take>
-  void spread(std::vector<int>& cells, std::size_t begin, int steps, Take&& take) {
+  template <typename Tolerance, typename Take>
+  void spread(std::vector<int>& cells, std::size_t begin, int steps, Tolerance&& tolerance, Take&& take) {
     for (int step = 0; begin < cells.size() && (steps == 0 || step < steps); ++step) {
       const std::size_t end = cells.size();
       for (; begin < end; ++begin) {
         const int x = cells[begin] % width_, y = cells[begin] / width_;
-        const std::size_t from = index(x, y);
+        const float value = q_at(index(x, y)), most = tolerance(value);
         const auto visit = [&](int u, int v) {
           if (u < 0 || v < 0 || u >= width_ || v >= height_) return;
           const std::size_t to = index(u, v);
-          if (std::abs(q_at(to) - q_at(from)) > tolerance_[from] || !take(to)) return;
+          if (std::abs(q_at(to) - value) > most || !take(to)) return;
           cells.push_back(static_cast<int>(to));
         };
         visit(x - 1, y), visit(x + 1, y), visit(x, y - 1), visit(x, y + 1);
@@ -97,21 +96,22 @@ class RegionGrower {
     }
   }
 
-  template <typename Contradicts>
+  template <typename IsOpen, typename Tolerance, typename Contradicts>
   void grow(std::vector<int>& cells, const Inconsistency& evidence, const Image<std::uint8_t>& followed,
-            Contradicts&& contradicts) {
+            IsOpen&& is_open, Tolerance&& tolerance, Contradicts&& contradicts) {
     cells.erase(
         std::remove_if(cells.begin(), cells.end(), [&](int i) { return state_[static_cast<std::size_t>(i)] != kOpen; }),
         cells.end());
     if (static_cast<int>(cells.size()) < kMinSeeds) return;
     for (const int i : cells) state_[static_cast<std::size_t>(i)] = kTaken;
     // Growth starts only at cells that are inconsistent now.
-    const auto grown =
-        std::partition(cells.begin(), cells.end(), [&](int i) { return !(evidence.depth.row(0)[i] > kSeed); });
+    const auto grown = std::partition(cells.begin(), cells.end(), [&](int i) { return !evidence.depth.row(0)[i]; });
     const std::size_t first = static_cast<std::size_t>(grown - cells.begin());
     const double seeds = static_cast<double>(cells.size() - first);
-    spread(cells, first, 1 + static_cast<int>(0.5 * std::sqrt(seeds)),
-           [&](std::size_t k) { return state_[k] == kOpen ? (state_[k] = kTaken, true) : false; });
+    spread(cells, first, 1 + static_cast<int>(0.5 * std::sqrt(seeds)), tolerance, [&](std::size_t k) {
+      if (state_[k] == kUnknown) state_[k] = is_open(k) ? kOpen : kClosed;
+      return state_[k] == kOpen ? (state_[k] = kTaken, true) : false;
+    });
     const int count = static_cast<int>(cells.size());
     if (count < kMinCells) return;
     int inconsistent = 0;
@@ -121,7 +121,8 @@ class RegionGrower {
 
   /// Merges regions that touch without a step in depth, and regions of an object that was found before. A post in front
   /// of the object may separate these.
-  void merge(const Image<std::uint8_t>& followed) {
+  template <typename Tolerance>
+  void merge(const Image<std::uint8_t>& followed, Tolerance&& tolerance) {
     owner_.assign(state_.size(), -1);
     for (std::size_t r = 0; r < regions.size(); ++r)
       for (const int i : regions[r]) owner_[static_cast<std::size_t>(i)] = static_cast<int>(r);
@@ -145,14 +146,14 @@ class RegionGrower {
         first_[k] = static_cast<int>(r);
       }
     }
-    const auto touch = [&](std::size_t a, std::size_t b) {
-      if (owner_[a] < 0 || owner_[b] < 0 || std::abs(q_at(a) - q_at(b)) > tolerance_[a]) return;
-      join(owner_[a], owner_[b]);
-    };
-    for (int y = 0; y < height_; ++y)
-      for (int x = 0; x < width_; ++x) {
-        if (x + 1 < width_) touch(index(x, y), index(x + 1, y));
-        if (y + 1 < height_) touch(index(x, y), index(x, y + 1));
+    for (std::size_t r = 0; r < regions.size(); ++r)
+      for (const int i : regions[r]) {
+        const int x = i % width_, y = i / width_;
+        const auto touch = [&, from = q_at(index(x, y))](std::size_t to) {
+          if (owner_[to] >= 0 && std::abs(from - q_at(to)) <= tolerance(from)) join(static_cast<int>(r), owner_[to]);
+        };
+        if (x + 1 < width_) touch(index(x + 1, y));
+        if (y + 1 < height_) touch(index(x, y + 1));
       }
     for (std::size_t r = 0; r < regions.size(); ++r) {
       const int into = root(static_cast<int>(r));
@@ -170,7 +171,6 @@ class RegionGrower {
   std::array<int, 256> count_{}, first_{};  ///< by number of the followed object
   const Image<float>* q_ = nullptr;
   std::vector<std::uint8_t> state_;
-  std::vector<float> tolerance_;
   std::vector<std::vector<int>> clusters_;
 };
 

@@ -59,6 +59,8 @@ class SupportingPlanes {
 
  private:
   static constexpr int kTrials = 100;
+  static constexpr std::size_t kRated = 500;             ///< points that tell whether a plane supports the scene
+  static constexpr float kSigmas = 2.5f, kGate = 0.03f;  ///< half width of a plane: of a point, and relative
   struct Point {
     float x, y, q, sigma;
     bool taken;  ///< by a plane found already
@@ -69,9 +71,26 @@ class SupportingPlanes {
     float operator()(float x, float y) const { return a * x + b * y + c; }
   };
 
-  static float gate(const Point& p, float expected) { return std::max(2.5f * p.sigma, 0.03f * expected); }
+  /// Some of the points, for `rate`.
+  struct Some {
+    std::vector<float> x, y, q, width;  ///< `width`: least half width of the gate
+    std::vector<int> open;              ///< 1: not taken
+
+    void take_every(std::size_t step, const std::vector<Point>& points) {
+      for (std::vector<float>* values : {&x, &y, &q, &width}) values->clear();
+      open.clear();
+      for (std::size_t i = 0; i < points.size(); i += step) {
+        x.push_back(points[i].x), y.push_back(points[i].y), q.push_back(points[i].q);
+        width.push_back(kSigmas * points[i].sigma);
+        open.push_back(!points[i].taken);
+      }
+    }
+  };
+
+  static float gate(const Point& p, float expected) { return std::max(kSigmas * p.sigma, kGate * expected); }
 
   bool add_best(const std::vector<Plane>& before, std::uint32_t& random) {
+    some_.take_every(std::max<std::size_t>(1, points_.size() / kRated), points_);
     Plane best;
     double most = 0;
     const auto consider = [&](const Plane& plane) {
@@ -105,16 +124,13 @@ class SupportingPlanes {
 
   /// Number of measurements on this plane alone minus those behind it. 0 if it does not support the scene.
   double rate(const Plane& plane) const {
-    int on = 0, behind = 0, count = 0;
-    const std::size_t step = std::max<std::size_t>(1, points_.size() / 500);
-    for (std::size_t i = 0; i < points_.size(); i += step) {
-      const Point& p = points_[i];
-      ++count;
-      const float expected = plane(p.x, p.y);
-      if (!(expected > 0)) continue;
-      const float d = p.q - expected, width = gate(p, expected);
-      on += !p.taken && std::abs(d) < width;
-      behind += d < -2 * width;
+    int on = 0, behind = 0;
+    const int count = static_cast<int>(some_.x.size());
+    for (std::size_t i = 0; i < some_.x.size(); ++i) {  // without branches, so that it becomes SIMD code
+      const float expected = plane(some_.x[i], some_.y[i]), d = some_.q[i] - expected;
+      const float width = std::max(some_.width[i], kGate * expected);
+      on += static_cast<int>(expected > 0) & some_.open[i] & static_cast<int>(std::abs(d) < width);
+      behind += static_cast<int>(expected > 0) & static_cast<int>(d < -2 * width);
     }
     return on >= kShare * count && behind <= kBehind * on ? on - behind : 0;
   }
@@ -152,6 +168,7 @@ class SupportingPlanes {
 
   std::vector<Plane> planes_;
   std::vector<Point> points_;
+  Some some_;
 };
 
 DOT_END_NAMESPACE

@@ -24,14 +24,18 @@ class DepthDensifier {
   /// The share of measured pixels in the neighbourhood of measured pixels. It is near 1 even if depth is dense in only
   /// a part of the image. @param q 1/m, <= 0 = not measured. @return 0 if nothing is measured.
   static double density(const Image<float>& q) {
-    constexpr int kReach = 12;  // pixels: some beams of a lidar
-    double measured = 0, looked_at = 0;
-    for_some_measured(q, [&](int x, int y) {
-      for (int v = std::max(y - kReach, 0); v <= std::min(y + kReach, q.height() - 1); ++v)
-        for (int u = std::max(x - kReach, 0); u <= std::min(x + kReach, q.width() - 1); ++u)
-          measured += q(u, v) > 0, ++looked_at;
+    constexpr int kReach = 12;    // pixels: some beams of a lidar
+    constexpr int kPlaces = 500;  // neighbouring places tell the same
+    int measured = 0, looked_at = 0;
+    for_some_measured(q, kPlaces, [&](int x, int y) {
+      const int begin = std::max(x - kReach, 0), end = std::min(x + kReach + 1, q.width());
+      for (int v = std::max(y - kReach, 0); v <= std::min(y + kReach, q.height() - 1); ++v) {
+        const float* row = q.row(v);
+        for (int u = begin; u < end; ++u) measured += row[u] > 0;
+        looked_at += end - begin;
+      }
     });
-    return looked_at > 0 ? measured / looked_at : 0;
+    return looked_at > 0 ? static_cast<double>(measured) / looked_at : 0;
   }
 
   /// @param sparse 1/m, <= 0 = not measured. @param sigma of one measurement q, 1/m: sigma(q). @param dense of the same
@@ -40,115 +44,148 @@ class DepthDensifier {
   void operator()(const Image<float>& sparse, double density, Sigma&& sigma, Image<float>& dense) {
     const int width = sparse.width(), height = sparse.height();
     choose_window(sparse, density);
+    list_measured(sparse);
     dense.resize(width, height);
-    columns_.assign(static_cast<std::size_t>(width), Column{});
-    for (int y = -ry_; y < height; ++y) {
-      if (y + ry_ < height) add_row(sparse, y + ry_, 1);
-      if (y - ry_ - 1 >= 0) add_row(sparse, y - ry_ - 1, -1);
-      if (y >= 0) fit_row(sparse, y, sigma, dense);
+    columns_.assign(static_cast<std::size_t>((width + 1) / 2), Sums{});
+    const int rows = (height + 1) / 2;
+    for (int row = -ry_; row < rows; ++row) {
+      if (row + ry_ < rows) add_row(row + ry_, 1);
+      if (row - ry_ - 1 >= 0) add_row(row - ry_ - 1, -1);
+      if (row >= 0) fit_row(sparse, row, sigma, dense);
     }
   }
 
  private:
-  /// Calls visit(x, y) for at most some thousand measured pixels. It does not sample rows, because lidar beams are
-  /// rows.
+  /// Calls visit(x, y) for some of the measured pixels, roughly `enough` where there are many. It does not sample rows,
+  /// because lidar beams are rows.
   template <typename Visitor>
-  static void for_some_measured(const Image<float>& q, Visitor&& visit) {
-    constexpr int kEnough = 2000;
+  static void for_some_measured(const Image<float>& q, int enough, Visitor&& visit) {
     int count = 0;
     for (int y = 0; y < q.height(); ++y)
       count += static_cast<int>(std::count_if(q.row(y), q.row(y) + q.width(), [](float v) { return v > 0; }));
-    const int step = std::max(1, count / kEnough);
+    const int step = std::max(1, count / enough);
     int i = 0;
     for (int y = 0; y < q.height(); ++y)
       for (int x = 0; x < q.width(); ++x)
         if (q(x, y) > 0 && i++ % step == 0) visit(x, y);
   }
 
-  static constexpr double kWanted = 14;       ///< measurements in a window
+  static constexpr double kWanted = 16;       ///< measurements in a window
   static constexpr int kLeast = 6;            ///< measurements that determine a plane
   static constexpr double kSigmas = 1.5;      ///< of one measurement: largest RMS distance from the plane
   static constexpr double kRelief = 0.015;    ///< lower bound of that for curvature, share of inverse depth
-  static constexpr double kOffCentre = 0.6;   ///< largest offset of their middle from the pixel, share of the window
+  static constexpr double kOffCentre = 0.6;   ///< largest offset of their middle, share of the window's half size
   static constexpr double kSlopePrior = 0.1;  ///< square pixels; keeps the plane through one row from tilting
-  static constexpr int kMostReach = 40;       ///< pixels
+  static constexpr int kMostReach = 20;       ///< blocks
 
-  /// Sums over the measurements of one column, in the rows of the window.
-  struct Column {
-    double n = 0, v = 0, vv = 0, q = 0, vq = 0, qq = 0;
+  struct Measurement {
+    int x;
+    float q;
   };
-  /// Sums over the window.
-  struct Sums {
-    double n = 0, u = 0, v = 0, uu = 0, uv = 0, vv = 0, q = 0, uq = 0, vq = 0, qq = 0;
 
-    void add(const Column& c, double x, double sign) {
-      n += sign * c.n, u += sign * x * c.n, uu += sign * x * x * c.n;
-      v += sign * c.v, uv += sign * x * c.v, vv += sign * c.vv;
-      q += sign * c.q, uq += sign * x * c.q, vq += sign * c.vq, qq += sign * c.qq;
+  /// Sums over measurements (u, v, q). All pixels of a block of 2x2 have the same plane, so all sums are of blocks.
+  struct Sums {
+    enum : std::size_t { kN, kU, kV, kUu, kUv, kVv, kQ, kUq, kVq, kQq, kCount };
+    std::array<double, kCount> of{};
+
+    void add(double u, double v, double q, double sign) {
+      const std::array<double, kCount> terms{1, u, v, u * u, u * v, v * v, q, u * q, v * q, q * q};
+      for (std::size_t k = 0; k < kCount; ++k) of[k] += sign * terms[k];
     }
+    void add(const Sums& other) {
+      for (std::size_t k = 0; k < kCount; ++k) of[k] += other.of[k];
+    }
+    void subtract(const Sums& other) {
+      for (std::size_t k = 0; k < kCount; ++k) of[k] -= other.of[k];
+    }
+  };
+
+  /// The inverse depth q + b (u - mu) + c (v - mv) about the middle (mu, mv) of the measurements.
+  struct Plane {
+    double mu = 0, mv = 0, q = 0, b = 0, c = 0;
+    float operator()(double u, double v) const { return static_cast<float>(q + b * (u - mu) + c * (v - mv)); }
   };
 
   /// Chooses a window with as many measurements along its rows as along its columns. A lidar's beams are farther apart
   /// than its azimuth steps.
   void choose_window(const Image<float>& q, double density) {
     // How often the neighbour in the row, or in the column, is measured within a few pixels.
-    constexpr int kNear = 8;
+    constexpr int kNear = 8, kPlaces = 2000;
     double along = 0, across = 0;
-    for_some_measured(q, [&](int x, int y) {
+    for_some_measured(q, kPlaces, [&](int x, int y) {
       if (x + kNear >= q.width() || y + kNear >= q.height()) return;
       for (int d = 1; d <= kNear; ++d) along += q(x + d, y) > 0, across += q(x, y + d) > 0;
     });
     const double ratio = std::clamp((along + 1) / (across + 1), 0.25, 4.0);
     const double area = kWanted / std::max(density, 1e-3), side = std::sqrt(area);
-    rx_ = std::clamp(static_cast<int>(0.5 * side / std::sqrt(ratio)), 2, kMostReach);
-    ry_ = std::clamp(static_cast<int>(0.5 * side * std::sqrt(ratio)), 2, kMostReach);
+    const auto half = [](double pixels) {  // of a window of 2 half + 1 blocks
+      return std::clamp(static_cast<int>((pixels - 1) / 4), 1, kMostReach);
+    };
+    rx_ = half(side / std::sqrt(ratio));
+    ry_ = half(side * std::sqrt(ratio));
   }
 
-  void add_row(const Image<float>& sparse, int y, double sign) {
-    const float* row = sparse.row(y);
-    const double v = y;
-    for (int x = 0; x < sparse.width(); ++x) {
-      if (!(row[x] > 0)) continue;
-      Column& c = columns_[static_cast<std::size_t>(x)];
-      const double q = static_cast<double>(row[x]);
-      c.n += sign, c.v += sign * v, c.vv += sign * v * v;
-      c.q += sign * q, c.vq += sign * v * q, c.qq += sign * q * q;
+  void list_measured(const Image<float>& q) {
+    measured_.clear();
+    begin_.assign(1, 0);
+    for (int y = 0; y < q.height(); ++y) {
+      const float* row = q.row(y);
+      for (int x = 0; x < q.width(); ++x)
+        if (row[x] > 0) measured_.push_back({x, row[x]});
+      begin_.push_back(measured_.size());
     }
   }
 
+  /// Adds a row of blocks to the sums of the columns.
+  void add_row(int row, double sign) {
+    const int height = static_cast<int>(begin_.size()) - 1;
+    for (int y = 2 * row; y < std::min(2 * row + 2, height); ++y)
+      for (std::size_t i = begin_[static_cast<std::size_t>(y)]; i < begin_[static_cast<std::size_t>(y) + 1]; ++i) {
+        const Measurement& m = measured_[i];
+        columns_[static_cast<std::size_t>(m.x) / 2].add(m.x, y, static_cast<double>(m.q), sign);
+      }
+  }
+
   template <typename Sigma>
-  void fit_row(const Image<float>& sparse, int y, Sigma&& sigma, Image<float>& dense) {
-    const int width = sparse.width();
-    const auto column = [this](int x) -> const Column& { return columns_[static_cast<std::size_t>(x)]; };
-    Sums s;
-    for (int x = 0; x < std::min(rx_, width); ++x) s.add(column(x), x, 1);
-    for (int x = 0; x < width; ++x) {
-      if (x + rx_ < width) s.add(column(x + rx_), x + rx_, 1);
-      if (x - rx_ - 1 >= 0) s.add(column(x - rx_ - 1), x - rx_ - 1, -1);
-      const float fitted = value(s, x, y, sigma), measured = sparse(x, y);
-      dense(x, y) = fitted > 0 ? fitted : std::max(measured, 0.f);
+  void fit_row(const Image<float>& sparse, int row, Sigma&& sigma, Image<float>& dense) {
+    const int blocks = static_cast<int>(columns_.size()), width = sparse.width();
+    const auto column = [this](int i) -> const Sums& { return columns_[static_cast<std::size_t>(i)]; };
+    Sums sums;
+    for (int i = 0; i < std::min(rx_, blocks); ++i) sums.add(column(i));
+    for (int i = 0; i < blocks; ++i) {
+      if (i + rx_ < blocks) sums.add(column(i + rx_));
+      if (i - rx_ - 1 >= 0) sums.subtract(column(i - rx_ - 1));
+      Plane plane;
+      const bool is_plane = fit(sums, 2 * i + 0.5, 2 * row + 0.5, sigma, plane);
+      for (int y = 2 * row; y < std::min(2 * row + 2, sparse.height()); ++y)
+        for (int x = 2 * i; x < std::min(2 * i + 2, width); ++x) {
+          const float fitted = is_plane ? plane(x, y) : 0;
+          dense(x, y) = fitted > 0 ? fitted : std::max(sparse(x, y), 0.f);
+        }
     }
   }
 
-  /// Value of the window's plane at the pixel, or 0 if there is no plane.
+  /// @param x, y the middle of the window. @return whether its measurements are on a plane about there.
   template <typename Sigma>
-  float value(const Sums& s, double x, double y, Sigma&& sigma) const {
-    if (s.n < kLeast - 0.5) return 0;
-    const double u = s.u / s.n - x, v = s.v / s.n - y, q = s.q / s.n;
-    if (std::abs(u) > kOffCentre * rx_ || std::abs(v) > kOffCentre * ry_) return 0;
-    const double mu = s.u / s.n, mv = s.v / s.n;
-    const double uu = s.uu / s.n - mu * mu + kSlopePrior, vv = s.vv / s.n - mv * mv + kSlopePrior;
-    const double uv = s.uv / s.n - mu * mv, uq = s.uq / s.n - mu * q, vq = s.vq / s.n - mv * q;
-    const double det = uu * vv - uv * uv;
-    const double b = (vv * uq - uv * vq) / det, c = (uu * vq - uv * uq) / det;
-    const double variance = s.qq / s.n - q * q - b * uq - c * vq;
+  bool fit(const Sums& sums, double x, double y, Sigma&& sigma, Plane& plane) const {
+    const auto& s = sums.of;
+    if (s[Sums::kN] < kLeast - 0.5) return false;
+    const double share = 1 / s[Sums::kN], mu = share * s[Sums::kU], mv = share * s[Sums::kV], q = share * s[Sums::kQ];
+    if (std::abs(mu - x) > kOffCentre * (2 * rx_ + 1) || std::abs(mv - y) > kOffCentre * (2 * ry_ + 1)) return false;
+    const double uu = share * s[Sums::kUu] - mu * mu + kSlopePrior, vv = share * s[Sums::kVv] - mv * mv + kSlopePrior;
+    const double uv = share * s[Sums::kUv] - mu * mv;
+    const double uq = share * s[Sums::kUq] - mu * q, vq = share * s[Sums::kVq] - mv * q;
+    const double by_det = 1 / (uu * vv - uv * uv);
+    plane = {mu, mv, q, by_det * (vv * uq - uv * vq), by_det * (uu * vq - uv * uq)};
+    const double variance = share * s[Sums::kQq] - q * q - plane.b * uq - plane.c * vq;
     const double most = std::max(kSigmas * sigma(q), kRelief * q);
-    if (variance > most * most) return 0;
-    return static_cast<float>(q - b * u - c * v);
+    return !(variance > most * most);
   }
 
-  int rx_ = 0, ry_ = 0;  ///< half sizes of the window, pixels
-  std::vector<Column> columns_;
+  int rx_ = 0, ry_ = 0;                ///< half sizes of the window, blocks of 2x2 pixels, without the middle one
+  std::vector<Measurement> measured_;  ///< row by row
+  std::vector<std::size_t> begin_;     ///< of each row in it, and its end
+  std::vector<Sums> columns_;          ///< of each column of blocks, in the rows of the window
 };
 
 DOT_END_NAMESPACE

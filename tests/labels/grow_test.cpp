@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "dot/camera/pinhole.hpp"
 #include "support/box_scene.hpp"
+#include "support/random.hpp"
 
 namespace {
 
@@ -159,6 +161,30 @@ TEST(Grow, TakesWhatWasHiddenWhereNothingWasMeasured) {
     EXPECT_EQ(found.gained, wall ? 10 * 20 - 1 : 0);
     EXPECT_EQ(found.ids(20, 25), 0u);
     EXPECT_EQ(found.ids(21, 25), wall ? kId : 0u);
+  }
+}
+
+/// Whichever part of a row is looked at, and at the borders of an image of any size.
+TEST(Grow, TheRimIsBesideFreePixelsOfTheImage) {
+  dot::test::Random random(1);
+  std::vector<std::uint8_t> rim;
+  for (const auto& [width, height] : {std::array<int, 2>{1, 1}, {1, 7}, {2, 2}, {40, 9}}) {
+    dot::Image<std::uint32_t> ids(width, height);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) ids(x, y) = static_cast<std::uint32_t>(random.uniform(0, 2.99));
+    const auto is_free = [&](int x, int y) { return ids.contains(x, y) && ids(x, y) == 0; };
+    for (int y = 0; y < height; ++y)
+      for (int x0 = 0; x0 < width; ++x0)
+        for (int x1 = x0 + 1; x1 <= width; ++x1) {
+          const int count = dot::find_rim(ids, 2, y, x0, x1, rim);
+          int own = 0;
+          for (int x = x0; x < x1; ++x) {
+            own += ids(x, y) == 2;
+            const bool beside = is_free(x - 1, y) || is_free(x + 1, y) || is_free(x, y - 1) || is_free(x, y + 1);
+            ASSERT_EQ(rim[static_cast<std::size_t>(x - x0)] != 0, ids(x, y) == 2 && beside) << x << ' ' << y;
+          }
+          ASSERT_EQ(count, own);
+        }
   }
 }
 

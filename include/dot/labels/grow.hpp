@@ -21,8 +21,31 @@ struct GrowWorkspace {
     int y;    ///< row
     float q;  ///< 1/m, its own; its neighbour's if not measured
   };
-  std::vector<Pixel> front;  ///< pixels whose neighbours were not looked at yet
+  std::vector<Pixel> front;       ///< pixels whose neighbours were not looked at yet
+  std::vector<std::uint8_t> rim;  ///< of a row: 1 = a pixel of the object beside a free one
 };
+
+/// Sets `rim` for the pixels x0 to x1, end excluded, of a row. @return how many of them have the id.
+inline int find_rim(const Image<std::uint32_t>& ids, std::uint32_t id, int y, int x0, int x1,
+                    std::vector<std::uint8_t>& rim) {
+  rim.resize(static_cast<std::size_t>(x1 - x0));
+  const std::uint32_t* row = ids.row(y);
+  // Outside of the image nothing is free. The pixel itself takes that place, because those that count are not free.
+  const std::uint32_t *above = ids.row(std::max(y - 1, 0)), *below = ids.row(std::min(y + 1, ids.height() - 1));
+  std::uint8_t* __restrict out = rim.data();
+  int count = 0;
+  const auto look = [=, &count](int x, int before, int after) {
+    const bool is_own = row[x] == id;
+    const bool is_beside = (row[before] == 0) | (row[after] == 0) | (above[x] == 0) | (below[x] == 0);
+    out[x - x0] = is_own & is_beside;
+    count += is_own;
+  };
+  const int begin = std::max(x0, 1), end = std::min(x1, ids.width() - 1);
+  if (x0 < begin) look(0, 0, std::min(1, ids.width() - 1));
+  for (int x = begin; x < end; ++x) look(x, x - 1, x + 1);
+  if (end < x1 && end >= begin) look(end, end - 1, end);
+  return count;
+}
 
 /// Grows an object's pixels in `ids` into parts of it that the last segmentation could not see. Such parts have since
 /// entered over the image border or come out from behind something.
@@ -53,16 +76,14 @@ int grow(const SegmentedFrame& segmented, const SE3d& T_seg_object, const SE3d& 
   auto& front = workspace.front;
   front.clear();
   int area = 0;
-  for (int y = box[1]; y < box[1] + box[3]; ++y)
-    for (int x = box[0]; x < box[0] + box[2]; ++x) {
-      if (ids(x, y) != id) continue;
-      ++area;
-      const float q = measured(x, y);
-      if (!(q > 0)) continue;
-      bool border = false;
-      for (const auto& [dx, dy] : sides) border |= ids.contains(x + dx, y + dy) && ids(x + dx, y + dy) == 0;
-      if (border) front.push_back({x, y, q});
+  for (int y = box[1]; y < box[1] + box[3]; ++y) {
+    area += find_rim(ids, id, y, box[0], box[0] + box[2], workspace.rim);
+    for (int i = 0; i < box[2]; ++i) {
+      if (!workspace.rim[static_cast<std::size_t>(i)]) continue;
+      const float q = measured(box[0] + i, y);
+      if (q > 0) front.push_back({box[0] + i, y, q});
     }
+  }
   const int narrow = static_cast<int>(0.25 * std::sqrt(static_cast<double>(area)));
   int gained = 0;
   int left = box[0], top = box[1], right = box[0] + box[2], bottom = box[1] + box[3];

@@ -26,29 +26,57 @@ inline int coarse_level(int area, int levels) {
   return level;
 }
 
-/// Makes a template on the level that suits the mask's area. @param depth 1/m, of the mask's frame.
-/// @return false if that is level 0, or if less than half of the mask's pixels on the level are measured; `out` is then
-/// empty.
-inline bool make_coarse_template(const Mask& mask, const DepthPyramid& depth, double tolerance,
-                                 TemplateWorkspace& workspace, MaskTemplate& out) {
-  const int level = coarse_level(mask.area, static_cast<int>(depth.levels.size()));
-  if (level == 0) return out.clear(), false;
+/// Makes a template on a level above 0. @param block block(y)(x) -> bool: whether it has this pixel of the level.
+/// @param depth 1/m, of the mask's frame. @param first_radius see make_template.
+/// @return false if less than half of the template's pixels are measured; `out` is then empty.
+template <typename Block>
+bool make_template_on_level(int level, const Mask& mask, Block&& block, const DepthPyramid& depth, double tolerance,
+                            int first_radius, TemplateWorkspace& workspace, MaskTemplate& out) {
   const Image<float>& inverse_depth = depth.levels[static_cast<std::size_t>(level)];
-  const int middle = 1 << (level - 1), left = mask.x >> level, top = mask.y >> level;
+  const int left = mask.x >> level, top = mask.y >> level;
   const int right = std::min((mask.x + mask.width() - 1) >> level, inverse_depth.width() - 1);
   const int bottom = std::min((mask.y + mask.height() - 1) >> level, inverse_depth.height() - 1);
-  fill_mask(
-      {left, top, std::max(0, right - left + 1), std::max(0, bottom - top + 1)},
-      [&](int x, int y) { return mask.at((x << level) + middle, (y << level) + middle); }, out.mask);
+  fill_mask_by_rows({left, top, std::max(0, right - left + 1), std::max(0, bottom - top + 1)}, block, out.mask);
   // Pixels at the border may show what is beside an object without depth.
   int measured = 0;
   for (int y = 0; y < out.mask.height(); ++y)
     for (int x = 0; x < out.mask.width(); ++x)
       measured += out.mask.pixels(x, y) != 0 && inverse_depth(out.mask.x + x, out.mask.y + y) > 0;
   if (2 * measured < out.mask.area) return out.clear(), false;
-  if (!make_template(out.mask, inverse_depth.view(), tolerance, workspace, out)) return false;
+  if (!make_template(out.mask, inverse_depth.view(), tolerance, workspace, out, first_radius)) return false;
   out.level = level;
   return true;
+}
+
+/// Makes a template on the level that suits the mask's area. It has the pixels whose middle is in the mask.
+/// @return false if that is level 0, or as make_template_on_level; `out` is then empty.
+inline bool make_coarse_template(const Mask& mask, const DepthPyramid& depth, double tolerance,
+                                 TemplateWorkspace& workspace, MaskTemplate& out) {
+  const int level = coarse_level(mask.area, static_cast<int>(depth.levels.size()));
+  if (level == 0) return out.clear(), false;
+  const int middle = 1 << (level - 1);
+  const auto is_middle_inside = [&mask, level, middle](int y) {
+    return [=, &mask](int x) { return mask.at((x << level) + middle, (y << level) + middle); };
+  };
+  return make_template_on_level(level, mask, is_middle_inside, depth, tolerance, 2, workspace, out);
+}
+
+/// Makes a template on a level, for FineOutline. It has all pixels that the mask touches.
+/// @return false as make_template_on_level; `out` is then empty.
+inline bool make_surface_template(int level, const Mask& mask, const DepthPyramid& depth, double tolerance,
+                                  TemplateWorkspace& workspace, MaskTemplate& out) {
+  const auto touches = [&mask, level](int y) {
+    const int begin = std::max((y << level) - mask.y, 0), end = std::min(((y + 1) << level) - mask.y, mask.height());
+    return [=, &mask](int x) {
+      const int left = std::max((x << level) - mask.x, 0);
+      const int right = std::min(((x + 1) << level) - mask.x, mask.width());
+      for (int v = begin; v < end; ++v)
+        for (int u = left; u < right; ++u)
+          if (mask.pixels(u, v)) return true;
+      return false;
+    };
+  };
+  return make_template_on_level(level, mask, touches, depth, tolerance, 1, workspace, out);
 }
 
 /// `warp` for a template of any level. The result is in pixels of that level, too. @param depth 1/m, of the current

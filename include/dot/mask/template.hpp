@@ -112,9 +112,9 @@ inline std::ptrdiff_t integrate(double low, double high, Image<float>& measured,
 }
 
 /// Gives each pixel of the mask the mean of the integrated values in the smallest window around it that has enough of
-/// them. The whole mask must have enough.
-inline void average(const Mask& mask, TemplateWorkspace& workspace, Image<float>& out) {
-  constexpr int first_radius = 2, min_count = 5;
+/// them. The whole mask must have enough. @param first_radius of that window, pixels.
+inline void average(const Mask& mask, int first_radius, TemplateWorkspace& workspace, Image<float>& out) {
+  constexpr int min_count = 5;
   static_assert(min_count <= kMinTemplateDepth);
   const int width = mask.width(), height = mask.height();
   auto& open = workspace.open;
@@ -157,10 +157,10 @@ inline void average(const Mask& mask, TemplateWorkspace& workspace, Image<float>
 /// distance. All pixels of the mask, also those refused or not measured, then get the mean of the accepted values in
 /// the smallest window around them (5x5, 9x9, 17x17, ...) that has enough of them.
 /// @param inverse_depth 1/m, of the frame, <= 0 or not finite = no measurement.
-/// @param mask may be `out.mask`.
+/// @param mask may be `out.mask`. @param first_radius of the window, pixels.
 /// @return false if there are fewer than kMinTemplateDepth values; `out` is then empty.
 inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth, double tolerance,
-                          TemplateWorkspace& workspace, MaskTemplate& out) {
+                          TemplateWorkspace& workspace, MaskTemplate& out, int first_radius = 2) {
   const std::ptrdiff_t count = templates::measure(mask, inverse_depth, out.inverse_depth, workspace.values);
   if (count < kMinTemplateDepth) return out.clear(), false;
 
@@ -176,16 +176,18 @@ inline bool make_template(const Mask& mask, ImageView<const float> inverse_depth
   float *const middle = begin + (count - 1) / 2, *const half = begin + below + (accepted - 1) / 2;
   sort_nth(half < middle ? begin : middle, half,
            half < middle ? middle : end);  // partly sorted already by `spread`
+  out.level = 0;
   out.median = static_cast<double>(*half);
   out.measured = true;
   if (&mask != &out.mask) out.mask = mask;
-  templates::average(out.mask, workspace, out.inverse_depth);
+  templates::average(out.mask, first_radius, workspace, out.inverse_depth);
   return true;
 }
 
 /// Makes an outline of constant inverse depth, for a mask without measurements. A far outline only follows the camera's
 /// rotation.
 inline void make_flat_template(const Mask& mask, double inverse_depth, MaskTemplate& out) {
+  out.level = 0;
   out.mask = mask;
   out.median = inverse_depth;
   out.measured = false;

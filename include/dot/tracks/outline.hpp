@@ -7,6 +7,7 @@
 
 #include "dot/frame/frame_data.hpp"
 #include "dot/mask/coarse_outline.hpp"
+#include "dot/mask/fine_outline.hpp"
 #include "dot/mask/hidden_part.hpp"
 #include "dot/mask/settings.hpp"
 #include "dot/mask/template.hpp"
@@ -18,8 +19,8 @@ DOT_BEGIN_NAMESPACE
 /// Buffers of a thread that moves outlines.
 struct OutlineWorkspace {
   WarpWorkspace warp;       ///< of `warp`
+  FineOutline fine;         ///< of large objects
   WarpedMask moved;         ///< on the template's level
-  Mask mask;                ///< of a shape whose depth is made
   HiddenPart hidden_part;   ///< of the mask that is taken
   TemplateWorkspace shape;  ///< of `make_template`
   MaskTemplate found;       ///< of `find_depth`
@@ -28,13 +29,14 @@ struct OutlineWorkspace {
 /// An object's outline over time: its last observed mask, and where that is now. `now` is the newest frame that the
 /// object was followed to.
 ///
-/// Of a large object a coarse outline is made first. It predicts where the next mask is to be expected. The whole one
-/// is made when the next frame has no mask of the object, which needs the frame of the last one.
+/// Of a large object a coarse outline is made first. It predicts where the next mask is to be expected. The exact one
+/// is made when the next frame has no mask of the object. Its surface needs the frame of the last mask.
 struct TrackedOutline {
-  MaskTemplate shape;        ///< the last observed mask, at full resolution; see `shape_frame`
+  MaskTemplate shape;        ///< the last observed mask, at full resolution; without depth if it is large
   MaskTemplate coarse;       ///< the same on a coarse level, if it is large
+  MaskTemplate surface;      ///< the same for the depth of the exact outline, if it is large; see `shape_frame`
   MaskTemplate hidden_part;  ///< the part that something nearer hid then, on any level
-  FramePtr shape_frame;      ///< the frame of the mask, as long as `shape` has no depth yet; null: it has
+  FramePtr shape_frame;      ///< the frame of the mask, as long as there is no `surface` of it yet
   SE3d T_now_shape;          ///< composed motion of the object's points since then
   bool is_newest = false;    ///< the shape is of the last segmented frame, and the camera's motion since is known
 
@@ -53,7 +55,11 @@ struct TrackedOutline {
                OutlineWorkspace& workspace) {
     complete(settings, workspace);
     const ImageView<const float> trim_by = shape.measured ? inverse_depth.view() : ImageView<const float>{};
-    warp(shape, T, camera, trim_by, settings.depth_tolerance, workspace.warp, warped);
+    const MaskTemplate& source = coarse.level > 0 ? surface : shape;
+    if (source.level > 0)
+      workspace.fine.warp(shape.mask, source, T, camera, trim_by, settings.depth_tolerance, workspace.warp, warped);
+    else
+      warp(source, T, camera, trim_by, settings.depth_tolerance, workspace.warp, warped);
     is_coarse = false;
     T_frame_shape = T;
   }
@@ -85,7 +91,7 @@ struct TrackedOutline {
       shape.mask = observed;
       shape.median = coarse.median;
       shape.measured = true;
-      shape.inverse_depth.resize(0, 0);  // until `complete`
+      shape.inverse_depth.resize(0, 0);
       shape_frame = frame;
       return;
     }
@@ -112,14 +118,17 @@ struct TrackedOutline {
     hidden_part.clear();  // and this part is relative to the old one
   }
 
-  /// Gives the shape its depth, if that was put off.
+  /// Makes the surface of a large object, if that was put off.
   void complete(const MaskSettings& settings, OutlineWorkspace& workspace) {
+    // One pixel more or less at the outline matters less the larger the object is.
+    constexpr int kFromCoarse = 2, kLevel = 1;
     if (!shape_frame) return;
-    const double q = shape.median;
-    std::swap(workspace.mask, shape.mask);
-    if (!make_template(workspace.mask, shape_frame->inverse_depth().view(), settings.depth_tolerance, workspace.shape,
-                       shape))
-      make_flat_template(workspace.mask, q, shape);
+    const double tolerance = settings.depth_tolerance;
+    const DepthPyramid& depth = shape_frame->depth;
+    const bool found = coarse.level < kFromCoarse
+                           ? make_template(shape.mask, depth.levels[0].view(), tolerance, workspace.shape, surface)
+                           : make_surface_template(kLevel, shape.mask, depth, tolerance, workspace.shape, surface);
+    if (!found) surface = coarse;
     shape_frame.reset();
   }
 

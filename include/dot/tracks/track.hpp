@@ -43,6 +43,7 @@ struct Track {
     fresh.identity.id = id;
     outline.shape.clear();
     outline.coarse.clear();
+    outline.surface.clear();
     outline.hidden_part.clear();
     outline.warped.clear();
     outline.mask.clear();
@@ -50,6 +51,7 @@ struct Track {
     motion.path.clear();
     std::swap(fresh.outline.shape, outline.shape);
     std::swap(fresh.outline.coarse, outline.coarse);
+    std::swap(fresh.outline.surface, outline.surface);
     std::swap(fresh.outline.hidden_part, outline.hidden_part);
     std::swap(fresh.outline.warped, outline.warped);
     std::swap(fresh.outline.mask, outline.mask);

@@ -7,12 +7,14 @@
 #include <cmath>
 #include <initializer_list>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include <gtest/gtest.h>
 
 #include "dot/camera/pinhole.hpp"
 #include "dot/tracks/outline.hpp"
+#include "support/random.hpp"
 
 namespace {
 
@@ -142,6 +144,65 @@ TEST(CoarseOutline, TheExactShapeIsMadeWhenItIsNeeded) {
   EXPECT_EQ(outline.warped.mask.area, expected.mask.area);
   EXPECT_EQ(dot::overlap(outline.warped.mask, expected.mask), expected.mask.area);
   EXPECT_EQ(outline.warped.confirmed_area, expected.confirmed_area);
+}
+
+/// A frame of a slanted surface, of which a share of the pixels is measured.
+dot::FramePtr slanted_frame(double share) {
+  auto out = std::make_shared<dot::FrameData>();
+  dot::test::Random random(1);
+  const auto row = [&](int, float* q) {
+    for (int x = 0; x < kWidth; ++x)
+      q[x] = random.uniform() < share ? kObject + 4e-4f * static_cast<float>(x - 300) : 0;
+  };
+  out->depth.build(kWidth, kHeight, row, kLevels);
+  return out;
+}
+
+/// On level 1 for the largest, which costs a few pixels of the outline; on level 0 for those that are less large.
+TEST(CoarseOutline, TheExactOutlineHasAFineSurface) {
+  const SE3d T = SE3d::translation(Vector3d(1, 0.3, 0));
+  for (const auto& [size, level, most] : {std::tuple{35., 0, 0}, std::tuple{150., 1, 150}}) {
+    const Mask mask = ellipse(300, 200, size, 0.7 * size);
+    const dot::FramePtr frame = slanted_frame(1);
+    dot::OutlineWorkspace workspace;
+    TrackedOutline outline;
+    outline.take(mask, {}, frame, 0.01, kCamera, {}, workspace);
+    EXPECT_GT(outline.coarse.level, level);
+    outline.warp_by(T, dot::Image<float>(kWidth, kHeight), kCamera, {}, workspace);
+    EXPECT_EQ(outline.surface.level, level);
+    MaskTemplate at_once;
+    WarpedMask exact;
+    ASSERT_TRUE(dot::make_template(mask, frame->inverse_depth().view(), kTolerance, at_once));
+    dot::warp(at_once, T, kCamera, {}, kTolerance, workspace.warp, exact);
+    const Mask& fine = outline.warped.mask;
+    EXPECT_LE(fine.area + exact.mask.area - 2 * dot::overlap(fine, exact.mask), most);
+  }
+}
+
+TEST(CoarseOutline, TheSurfaceIsOfTheLastMask) {
+  dot::OutlineWorkspace workspace;
+  TrackedOutline outline;
+  for (const double size : {150., 35., 60., 150.})
+    for (const float q : {kObject, 2 * kObject}) {
+      const Mask mask = ellipse(300, 200, size, size);
+      outline.take(mask, {}, frame_of({{mask, q}}), 0.01, kCamera, {}, workspace);
+      outline.warp_by({}, dot::Image<float>(kWidth, kHeight), kCamera, {}, workspace);
+      EXPECT_EQ(dot::overlap(outline.warped.mask, mask), mask.area);
+      EXPECT_EQ(outline.warped.mask.area, mask.area);
+      EXPECT_NEAR(outline.warped.inverse_depth(mask.width() / 2, mask.height() / 2), q, 1e-6);
+    }
+}
+
+/// Depth may be too sparse on level 1 while coarser pixels have some.
+TEST(CoarseOutline, TheExactOutlineHasACoarseSurfaceIfThereIsNoOther) {
+  const Mask mask = ellipse(300, 200, 150, 105);
+  dot::OutlineWorkspace workspace;
+  TrackedOutline outline;
+  outline.take(mask, {}, slanted_frame(0.1), 0.01, kCamera, {}, workspace);
+  ASSERT_GT(outline.coarse.level, 1);
+  outline.warp_by({}, dot::Image<float>(kWidth, kHeight), kCamera, {}, workspace);
+  EXPECT_EQ(outline.surface.level, outline.coarse.level);
+  EXPECT_EQ(dot::overlap(outline.warped.mask, mask), mask.area);
 }
 
 /// What is cut off by the right and the lower border, where a level may have no pixels any more.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -53,7 +54,7 @@ struct Inconsistency {
   static constexpr float kSigmas = 3;  ///< least difference of the measured and the predicted depth
 
   Image<std::uint8_t> depth;  ///< non-zero: it contradicts
-  /// 1/m per second, 0 = any: what the last frame's surface must recede at, for an older frame to contradict.
+  /// 1/m per second: what the last frame's surface must recede at for an older frame to contradict; 0: none may.
   Image<float> least_rate;
 
   /// Sets the size. No cell contradicts.
@@ -136,6 +137,7 @@ class InconsistencyTest {
   /// the background that they uncover does not move.
   /// @param discovered the reference's inverse depth on objects that were discovered and shown, 0 elsewhere.
   /// @param followed of the new frame: non-zero where such an object is expected.
+  /// @pre The evidence of the same reference's standing cells was added.
   void add_discovered(const Camera& camera, const Noise& noise, const CellFrame& current,
                       const Image<float>& discovered, const Image<std::uint8_t>& followed, const CellMotion& motion,
                       Inconsistency& out) {

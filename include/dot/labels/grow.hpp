@@ -28,6 +28,7 @@ struct GrowWorkspace {
 /// Sets `rim` for the pixels x0 to x1, end excluded, of a row. @return how many of them have the id.
 inline int find_rim(const Image<std::uint32_t>& ids, std::uint32_t id, int y, int x0, int x1,
                     std::vector<std::uint8_t>& rim) {
+  if (x0 >= x1) return 0;
   rim.resize(static_cast<std::size_t>(x1 - x0));
   const std::uint32_t* row = ids.row(y);
   // Outside of the image nothing is free. The pixel itself takes that place, because those that count are not free.

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "dot/image/buffer.hpp"
+#include "dot/image/image.hpp"
 #include "dot/image/morphology.hpp"
+#include "dot/lie/se3.hpp"
 #include "dot/mask/mask.hpp"
 #include "dot/mask/template.hpp"
 #include "dot/mask/warp.hpp"
@@ -22,7 +26,7 @@ DOT_BEGIN_NAMESPACE
 class FineOutline {
  public:
   /// As `warp` with a template of level 0 made of `mask`. @param mask pixels of level 0. @param coarse the template of
-  /// the same mask on a coarser level.
+  /// the same mask on a coarser level. @pre inverse_depth_cur has the camera's size or is empty.
   template <typename Camera>
   void warp(const Mask& mask, const MaskTemplate& coarse, const SE3d& T_cur_template, const Camera& camera,
             ImageView<const float> inverse_depth_cur, double tolerance, WarpWorkspace& workspace, WarpedMask& out) {
@@ -107,8 +111,7 @@ class FineOutline {
       for (int column = kBorder; column < columns - kBorder; ++column) {
         const int left = std::max((x_ + column) * side - mask.x, 0);
         const int right = std::min((x_ + column + 1) * side - mask.x, width);
-        const bool whole = right - left == side && end - begin == side;
-        inside_(column, row) = whole ? *std::min_element(least_.begin() + left, least_.begin() + right) : 0;
+        inside_(column, row) = *std::min_element(least_.begin() + left, least_.begin() + right);
         near_(column, row) = *std::max_element(most_.begin() + left, most_.begin() + right);
       }
     }
@@ -132,9 +135,7 @@ class FineOutline {
       const bool is_about =
           left >= 0 && top >= 0 && left < static_cast<float>(near_.width()) && top < static_cast<float>(near_.height());
       const int column = is_about ? static_cast<int>(left) : 0, line = is_about ? static_cast<int>(top) : 0;
-      // A block at the right or lower border may have more pixels.
-      const bool is_larger = x + i + 1 == blocks.width() || row + 1 == blocks.height();
-      if (z[i] < kLeastScale || is_larger)
+      if (z[i] < kLeastScale)
         place = kAtOutline;
       else if (is_about && near_(column, line))
         place = inside_(column, line) ? kInside : kAtOutline;

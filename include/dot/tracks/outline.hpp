@@ -64,13 +64,13 @@ struct TrackedOutline {
     T_frame_shape = T;
   }
 
-  /// The same on a coarse level, if the shape is large. @param surface whether the inverse depths are wanted.
+  /// The same on a coarse level, if the shape is large. @param with_depth whether the inverse depths are wanted.
   template <typename Camera>
   void predict_by(const SE3d& T, const DepthPyramid& depth, const Camera& camera, const MaskSettings& settings,
-                  OutlineWorkspace& workspace, bool surface = false) {
+                  OutlineWorkspace& workspace, bool with_depth = false) {
     if (coarse.level == 0) return warp_by(T, depth.levels[0], camera, settings, workspace);
     warp_on_level(coarse, T, camera, &depth, settings.depth_tolerance, workspace.warp, workspace.moved);
-    if (surface)
+    if (with_depth)
       enlarge_surface(workspace.moved, coarse.level, warped);
     else
       enlarge(workspace.moved, coarse.level, warped);

@@ -134,6 +134,20 @@ TEST(Inconsistency, UncoveredSurfaceHasNotReceded) {
   EXPECT_EQ(steady.seeds(22, 38), 16 * 20);
 }
 
+// A cell of the last frame tells the rate for the 2x2 cells about its place.
+TEST(Inconsistency, ARateIsWantedBesideTheCellThatTellsIt) {
+  const CellFrame now = scene(0, 0);
+  CellFrame before = scene(0, 0);
+  before.q(30, 20) = 0.055f;  // less than three sigmas
+  Case c;
+  c.out.contradict_if(31, 20, 0.01f);
+  c.out.contradict_if(33, 20, 0.01f);
+  c.compare(now, before);
+  EXPECT_TRUE(c.out.depth(31, 20));
+  EXPECT_FALSE(c.out.depth(30, 20)) << "no older frame contradicts it";
+  EXPECT_FALSE(c.out.depth(33, 20)) << "it does not recede";
+}
+
 // A camera that moves sideways sees other parts of the wall beside the box: parallax, not motion.
 TEST(Inconsistency, ParallaxIsExplained) {
   Case c;

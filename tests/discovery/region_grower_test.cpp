@@ -81,6 +81,16 @@ TEST(RegionGrower, ClosedCellsAreLeftOut) {
   EXPECT_TRUE(c.grow().empty());
 }
 
+TEST(RegionGrower, DoesNotGrowIntoClosedCells) {
+  Case c;
+  c.set(c.q, 20, 50, thing, 10, 40);  // closed from row 36 on
+  c.set(c.evidence.depth, 20, 50, std::uint8_t{255}, 20, 34);
+  ASSERT_EQ(c.grow().size(), 1u);
+  int bottom = 0;
+  for (const int i : c.grower.regions[0]) bottom = std::max(bottom, i / width);
+  EXPECT_EQ(bottom, 35);
+}
+
 TEST(RegionGrower, PartsOfAFollowedThingAreOne) {
   Case c;
   c.set(c.q, 34, 36, 0.2f);  // a post before it

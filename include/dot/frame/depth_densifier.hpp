@@ -14,9 +14,9 @@
 DOT_BEGIN_NAMESPACE
 
 /// Interpolates the inverse depth between sparse measurements, such as those of a lidar, which cover a few percent of
-/// the pixels. Each pixel gets the value of the plane q = a + b u + c v through the measurements around it. Pixels
-/// between two surfaces get none, because the measurements are not on one plane. Pixels outside all measurements get
-/// none.
+/// the pixels. The pixels of each block of 2x2 get the values of the plane q = a + b u + c v through the measurements
+/// around the block. Pixels between two surfaces get none, because the measurements are not on one plane. Pixels
+/// outside all measurements get none.
 class DepthDensifier {
  public:
   static constexpr double kSparse = 0.25;  ///< `density` below which an image is sparse
@@ -83,7 +83,7 @@ class DepthDensifier {
     float q;
   };
 
-  /// Sums over measurements (u, v, q). All pixels of a block of 2x2 have the same plane, so all sums are of blocks.
+  /// Sums over measurements (u, v, q).
   struct Sums {
     enum : std::size_t { kN, kU, kV, kUu, kUv, kVv, kQ, kUq, kVq, kQq, kCount };
     std::array<double, kCount> of{};

@@ -81,9 +81,10 @@ void Labeller<Camera, Noise>::show_new_parts(const Track& t, const FrameData& cu
   const SegmentedFrame segmented{segmented_->inverse_depth(), segmented_ids_.image()};
   // Tolerance, relative, of the inverse depths of one surface that are measured in two frames: three sigmas.
   const auto tolerance = [&](double q) {
-    const double sigma = std::max(std::hypot(noise.pixel_sigma(q), noise.shared_sigma(q)),
-                                  std::hypot(noise.prior_pixel_sigma(q), noise.prior_shared_sigma(q)));
-    return std::min(3 * std::sqrt(2.0) * sigma / q, settings.depth_tolerance);
+    const auto squared = [](double pixel, double shared) { return pixel * pixel + shared * shared; };
+    const double variance = std::max(squared(noise.pixel_sigma(q), noise.shared_sigma(q)),
+                                     squared(noise.prior_pixel_sigma(q), noise.prior_shared_sigma(q)));
+    return std::min(3 * std::sqrt(2 * variance) / q, settings.depth_tolerance);
   };
   if (const MaskTemplate& hidden = t.outline.hidden_part; !hidden.mask.empty()) {
     warp_on_level(hidden, t.outline.T_now_shape, camera, nullptr, 0, warp_workspace_, moved_);

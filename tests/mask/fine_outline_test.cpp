@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "dot/camera/pinhole.hpp"
+#include "dot/camera/radtan.hpp"
 #include "dot/mask/coarse_outline.hpp"
 
 namespace {
@@ -57,11 +58,12 @@ struct Case {
     EXPECT_TRUE(dot::make_template(mask, depth.levels[0].view(), kTolerance, workspace, exact_template));
     EXPECT_TRUE(dot::make_surface_template(level, mask, depth, kTolerance, workspace, coarse));
   }
-  void warp(const SE3d& T, ImageView<const float> measured = {}) {
+  template <typename Camera = dot::Pinhole>
+  void warp(const SE3d& T, ImageView<const float> measured = {}, const Camera& camera = kCamera) {
     dot::WarpWorkspace workspace;
-    dot::warp(exact_template, T, kCamera, measured, kTolerance, workspace, exact);
+    dot::warp(exact_template, T, camera, measured, kTolerance, workspace, exact);
     dot::FineOutline outline;
-    outline.warp(exact_template.mask, coarse, T, kCamera, measured, kTolerance, workspace, fine);
+    outline.warp(exact_template.mask, coarse, T, camera, measured, kTolerance, workspace, fine);
   }
   /// Pixels of one mask alone.
   int difference() const { return exact.mask.area + fine.mask.area - 2 * dot::overlap(exact.mask, fine.mask); }
@@ -103,6 +105,20 @@ TEST(FineOutline, IsWhereTheExactOneIs) {
             }
         EXPECT_LT(worst, 0.03);
       }
+}
+
+TEST(FineOutline, SeesThroughALens) {
+  const dot::RadTan lens(kCamera.intrinsics(), {-0.2, 0.05, 1e-3, -1e-3, 0});
+  Case c(shape(200, 160, 150, 100), slanted, 1);
+  c.warp({}, {}, lens);
+  EXPECT_EQ(c.fine.mask.area, c.exact_template.mask.area);
+  for (const SE3d& T : {motion(0.6, 0.3, 0, 0), motion(0, 0, -1, 0.05)}) {
+    c.warp(T, {}, lens);
+    EXPECT_LT(c.difference(), 0.5 * std::sqrt(1.0 * c.exact.mask.area));
+    Case pinhole(shape(200, 160, 150, 100), slanted, 1);
+    pinhole.warp(T);
+    EXPECT_GT(pinhole.fine.mask.area + c.fine.mask.area - 2 * dot::overlap(pinhole.fine.mask, c.fine.mask), 500);
+  }
 }
 
 TEST(FineOutline, IsTrimmedAsTheExactOne) {

@@ -13,6 +13,7 @@
 #include "dot/tracker.hpp"
 #include "memory/allocation_counter.hpp"
 #include "support/film.hpp"
+#include "support/random.hpp"
 
 /// @file
 /// `track` takes memory in the first frames only. Each film repeats itself, so that what was large enough once is large
@@ -138,6 +139,24 @@ TEST(SteadyState, WithABiasedDepth) {
   Tracker tracker = make_tracker();
   allocations(film, tracker, kWarmUp);
   EXPECT_GT(film.next(tracker).disparity_bias_px, 0.1);
+  EXPECT_EQ(allocations(film, tracker, kPeriod), 0);
+}
+
+// Each frame of a period has other measurements.
+TEST(SteadyState, WithSparseDepth) {
+  constexpr double share = 0.05;
+  Film<> film = crossing();
+  film.spoil = [](int i, dot::test::Rendering& seen) {
+    dot::test::Random random(static_cast<unsigned>(i % kPeriod));
+    for (int y = 0; y < seen.depth.height(); ++y)
+      for (int x = 0; x < seen.depth.width(); ++x)
+        if (random.uniform() > share) seen.depth(x, y) = 0;
+  };
+  Tracker tracker = make_tracker();
+  allocations(film, tracker, kWarmUp);
+  const dot::ObjectResult* object = seen_on(film, tracker, mover);
+  ASSERT_TRUE(object);
+  EXPECT_GT(object->n_points, 0) << describe(object);
   EXPECT_EQ(allocations(film, tracker, kPeriod), 0);
 }
 

@@ -26,15 +26,21 @@ class DepthDensifier {
   static double density(const Image<float>& q) {
     constexpr int kReach = 12;    // pixels: some beams of a lidar
     constexpr int kPlaces = 500;  // neighbouring places tell the same
-    int measured = 0, looked_at = 0;
-    for_some_measured(q, kPlaces, [&](int x, int y) {
+    int count = 0, visited = 0, measured = 0, looked_at = 0;
+    // Rows are not sampled, because lidar beams are rows.
+    for (int y = 0; y < q.height(); ++y)
+      count += static_cast<int>(std::count_if(q.row(y), q.row(y) + q.width(), [](float v) { return v > 0; }));
+    const int step = std::max(1, count / kPlaces);
+    const auto look_about = [&](int x, int y) {
       const int begin = std::max(x - kReach, 0), end = std::min(x + kReach + 1, q.width());
       for (int v = std::max(y - kReach, 0); v <= std::min(y + kReach, q.height() - 1); ++v) {
-        const float* row = q.row(v);
-        for (int u = begin; u < end; ++u) measured += row[u] > 0;
+        measured += static_cast<int>(std::count_if(q.row(v) + begin, q.row(v) + end, [](float m) { return m > 0; }));
         looked_at += end - begin;
       }
-    });
+    };
+    for (int y = 0; y < q.height(); ++y)
+      for (int x = 0; x < q.width(); ++x)
+        if (q(x, y) > 0 && visited++ % step == 0) look_about(x, y);
     return looked_at > 0 ? static_cast<double>(measured) / looked_at : 0;
   }
 
@@ -43,8 +49,8 @@ class DepthDensifier {
   template <typename Sigma>
   void operator()(const Image<float>& sparse, double density, Sigma&& sigma, Image<float>& dense) {
     const int width = sparse.width(), height = sparse.height();
-    choose_window(sparse, density);
     list_measured(sparse);
+    choose_window(sparse, density);
     dense.resize(width, height);
     columns_.assign(static_cast<std::size_t>((width + 1) / 2), Sums{});
     const int rows = (height + 1) / 2;
@@ -56,20 +62,6 @@ class DepthDensifier {
   }
 
  private:
-  /// Calls visit(x, y) for some of the measured pixels, roughly `enough` where there are many. It does not sample rows,
-  /// because lidar beams are rows.
-  template <typename Visitor>
-  static void for_some_measured(const Image<float>& q, int enough, Visitor&& visit) {
-    int count = 0;
-    for (int y = 0; y < q.height(); ++y)
-      count += static_cast<int>(std::count_if(q.row(y), q.row(y) + q.width(), [](float v) { return v > 0; }));
-    const int step = std::max(1, count / enough);
-    int i = 0;
-    for (int y = 0; y < q.height(); ++y)
-      for (int x = 0; x < q.width(); ++x)
-        if (q(x, y) > 0 && i++ % step == 0) visit(x, y);
-  }
-
   static constexpr double kWanted = 16;       ///< measurements in a window
   static constexpr int kLeast = 6;            ///< measurements that determine a plane
   static constexpr double kSigmas = 1.5;      ///< of one measurement: largest RMS distance from the plane
@@ -79,7 +71,7 @@ class DepthDensifier {
   static constexpr int kMostReach = 20;       ///< blocks
 
   struct Measurement {
-    int x;
+    int x, y;
     float q;
   };
 
@@ -110,12 +102,15 @@ class DepthDensifier {
   /// than its azimuth steps.
   void choose_window(const Image<float>& q, double density) {
     // How often the neighbour in the row, or in the column, is measured within a few pixels.
-    constexpr int kNear = 8, kPlaces = 2000;
+    constexpr int kNear = 8;
+    constexpr std::size_t kPlaces = 2000;
+    const std::size_t step = std::max<std::size_t>(1, measured_.size() / kPlaces);
     double along = 0, across = 0;
-    for_some_measured(q, kPlaces, [&](int x, int y) {
-      if (x + kNear >= q.width() || y + kNear >= q.height()) return;
+    for (std::size_t i = 0; i < measured_.size(); i += step) {
+      const int x = measured_[i].x, y = measured_[i].y;
+      if (x + kNear >= q.width() || y + kNear >= q.height()) continue;
       for (int d = 1; d <= kNear; ++d) along += q(x + d, y) > 0, across += q(x, y + d) > 0;
-    });
+    }
     const double ratio = std::clamp((along + 1) / (across + 1), 0.25, 4.0);
     const double area = kWanted / std::max(density, 1e-3), side = std::sqrt(area);
     const auto half = [](double pixels) {  // of a window of 2 half + 1 blocks
@@ -131,19 +126,18 @@ class DepthDensifier {
     for (int y = 0; y < q.height(); ++y) {
       const float* row = q.row(y);
       for (int x = 0; x < q.width(); ++x)
-        if (row[x] > 0) measured_.push_back({x, row[x]});
+        if (row[x] > 0) measured_.push_back({x, y, row[x]});
       begin_.push_back(measured_.size());
     }
   }
 
   /// Adds a row of blocks to the sums of the columns.
   void add_row(int row, double sign) {
-    const int height = static_cast<int>(begin_.size()) - 1;
-    for (int y = 2 * row; y < std::min(2 * row + 2, height); ++y)
-      for (std::size_t i = begin_[static_cast<std::size_t>(y)]; i < begin_[static_cast<std::size_t>(y) + 1]; ++i) {
-        const Measurement& m = measured_[i];
-        columns_[static_cast<std::size_t>(m.x) / 2].add(m.x, y, static_cast<double>(m.q), sign);
-      }
+    const std::size_t top = 2 * static_cast<std::size_t>(row), end = std::min(top + 2, begin_.size() - 1);
+    for (std::size_t i = begin_[top]; i < begin_[end]; ++i) {
+      const Measurement& m = measured_[i];
+      columns_[static_cast<std::size_t>(m.x) / 2].add(m.x, m.y, static_cast<double>(m.q), sign);
+    }
   }
 
   template <typename Sigma>

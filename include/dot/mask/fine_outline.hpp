@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -54,18 +53,11 @@ class FineOutline {
       for (int v = block * side; v < end; ++v) {
         float* line = pixels_.row(v - fine.y0);
         draw(mask, T_template_cur, camera, coarse.level, fine.x0, v, extended_.row(block - box.y0), workspace, line);
-        compare(line, pixels_.width(), trim ? inverse_depth_cur.row(v) + fine.x0 : nullptr, limit, out);
+        warping::trim_row(line, pixels_.width(), trim ? inverse_depth_cur.row(v) + fine.x0 : nullptr, limit, out);
       }
     }
     out.expected_area += out.inside_area;
-    const auto drawn = [this, &fine](int v) {
-      return [row = pixels_.row(v - fine.y0), left = fine.x0](int u) { return row[u - left] > 0; };
-    };
-    fill_mask_by_rows({fine.x0, fine.y0, pixels_.width(), pixels_.height()}, drawn, out.mask);
-    out.inverse_depth.resize(out.mask.width(), out.mask.height());
-    for (int v = 0; v < out.mask.height(); ++v)
-      std::copy_n(pixels_.row(out.mask.y + v - fine.y0) + (out.mask.x - fine.x0), out.mask.width(),
-                  out.inverse_depth.row(v));
+    warping::take_pixels(pixels_, fine.x0, fine.y0, out);
   }
 
  private:
@@ -161,26 +153,6 @@ class FineOutline {
       for (int k = 0; k < end - begin; ++k)
         if (!(pz[k] > 0) || !warping::covers(mask.pixels, pu[k] - mask_x, pv[k] - mask_y)) line[begin + k] = 0;
     }
-  }
-
-  /// Counts the pixels of a row, and trims those where something else was measured. @param measured 1/m, or null.
-  static void compare(float* line, int width, const float* measured, float tolerance, WarpedMask& out) {
-    int inside = 0, confirmed = 0, occluded = 0;
-    if (!measured) {
-      for (int i = 0; i < width; ++i) inside += line[i] > 0;
-    } else {
-      for (int i = 0; i < width; ++i) {
-        const float q = line[i], d = measured[i] - q, limit = tolerance * q;
-        const bool is_set = q > 0;
-        const bool is_known = is_set & (measured[i] > 0) & (measured[i] <= std::numeric_limits<float>::max());
-        const bool is_nearer = is_known & (d > limit), is_farther = is_known & (-d > limit);
-        inside += is_set;
-        occluded += is_nearer;
-        confirmed += is_known & !is_nearer & !is_farther;
-        line[i] = is_nearer | is_farther ? 0 : q;
-      }
-    }
-    out.inside_area += inside, out.confirmed_area += confirmed, out.occluded_area += occluded;
   }
 
   Image<float> extended_;              ///< 1/m, of the blocks: the surface and the blocks about it

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
-#include <utility>
 
 #include "dot/camera/concept.hpp"
 #include "dot/image/image.hpp"
@@ -185,6 +185,37 @@ inline void draw_surface(WarpWorkspace& w, const Box& box) {
   }
 }
 
+/// Counts the pixels of a row of a moved surface, and trims those where something else was measured.
+/// @param line predicted inverse depth, 1/m, 0 = none. @param measured 1/m, or null. @param tolerance relative.
+inline void trim_row(float* line, int width, const float* measured, float tolerance, WarpedMask& out) {
+  int inside = 0, confirmed = 0, occluded = 0;
+  if (!measured) {
+    for (int i = 0; i < width; ++i) inside += line[i] > 0;
+  } else {
+    for (int i = 0; i < width; ++i) {  // without branches, so that it becomes SIMD code
+      const float q = line[i], d = measured[i] - q, limit = tolerance * q;
+      const bool is_set = q > 0;
+      const bool is_known = is_set & (measured[i] > 0) & (measured[i] <= std::numeric_limits<float>::max());
+      const bool is_nearer = is_known & (d > limit), is_farther = is_known & (-d > limit);
+      inside += is_set;
+      occluded += is_nearer;
+      confirmed += is_known & !is_nearer & !is_farther;
+      line[i] = is_nearer | is_farther ? 0 : q;
+    }
+  }
+  out.inside_area += inside, out.confirmed_area += confirmed, out.occluded_area += occluded;
+}
+
+/// Sets the mask and its inverse depth to the pixels with depth. @param pixels 1/m, 0 = none; pixel (x, y) of the frame
+/// comes first.
+inline void take_pixels(const Image<float>& pixels, int x, int y, WarpedMask& out) {
+  const auto drawn = [&](int v) { return [row = pixels.row(v - y), x](int u) { return row[u - x] > 0; }; };
+  fill_mask_by_rows({x, y, pixels.width(), pixels.height()}, drawn, out.mask);
+  out.inverse_depth.resize(out.mask.width(), out.mask.height());
+  for (int v = 0; v < out.mask.height(); ++v)
+    std::copy_n(pixels.row(out.mask.y + v - y) + (out.mask.x - x), out.mask.width(), out.inverse_depth.row(v));
+}
+
 /// Whether the mask, interpolated bilinearly at (u, v) of its crop, is at least one half.
 inline bool covers(const Image<std::uint8_t>& mask, float u, float v) {
   if (!(u > -1 && v > -1 && u < static_cast<float>(mask.width()) && v < static_cast<float>(mask.height())))
@@ -225,57 +256,27 @@ void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& 
   if (trim && (inverse_depth_cur.width != camera.width() || inverse_depth_cur.height != camera.height()))
     throw std::invalid_argument("inverse_depth_cur must have the camera's size");
 
-  double outside = 0;
+  out.clear();
   const SE3f T = T_cur_template.template cast<float>();
-  const warping::Box box = warping::move_template(source, T, camera, workspace, outside);
-  int area = 0, inside = 0, confirmed = 0, occluded = 0;
-  int left = box.x1, right = box.x0 - 1, top = box.y1, bottom = box.y0 - 1;
+  const warping::Box box = warping::move_template(source, T, camera, workspace, out.expected_area);
+  if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
+  warping::draw_surface(workspace, box);
   Image<float>& surface = workspace.surface;
-  if (box.x0 < box.x1 && box.y0 < box.y1) {
-    warping::draw_surface(workspace, box);
-    const SE3f T_template_cur = T.inverse();
-    const Mask& mask = source.mask;
-    const auto mask_x = static_cast<float>(mask.x), mask_y = static_cast<float>(mask.y);
-    const auto limit = static_cast<float>(tolerance);
-    float *pu = workspace.row.row(0), *pv = workspace.row.row(1), *pz = workspace.row.row(2);
-    for (int v = box.y0; v < box.y1; ++v) {
-      float* line = surface.row(v - box.y0);
-      const float* measured = trim ? inverse_depth_cur.row(v) + box.x0 : nullptr;
-      warping::map_row(T_template_cur, camera, box.x0, v, surface.width(), line, pu, pv, pz);
-      for (int i = 0; i < surface.width(); ++i) {
-        const float q = std::exchange(line[i], 0.0f);
-        if (!(q > 0) || !(pz[i] > 0) || !warping::covers(mask.pixels, pu[i] - mask_x, pv[i] - mask_y)) continue;
-        ++inside;
-        if (trim && measured[i] > 0 && std::isfinite(measured[i])) {
-          occluded += measured[i] - q > limit * q;
-          if (std::abs(measured[i] - q) > limit * q) continue;
-          ++confirmed;
-        }
-        line[i] = q;
-        ++area;
-        left = std::min(left, box.x0 + i);
-        right = std::max(right, box.x0 + i);
-        top = std::min(top, v);
-        bottom = v;
-      }
-    }
+  const SE3f T_template_cur = T.inverse();
+  const Mask& mask = source.mask;
+  const auto mask_x = static_cast<float>(mask.x), mask_y = static_cast<float>(mask.y);
+  const float *pu = workspace.row.row(0), *pv = workspace.row.row(1), *pz = workspace.row.row(2);
+  for (int v = box.y0; v < box.y1; ++v) {
+    float* line = surface.row(v - box.y0);
+    warping::map_row(T_template_cur, camera, box.x0, v, surface.width(), line, workspace.row.row(0),
+                     workspace.row.row(1), workspace.row.row(2));
+    for (int i = 0; i < surface.width(); ++i)
+      if (line[i] > 0 && !(pz[i] > 0 && warping::covers(mask.pixels, pu[i] - mask_x, pv[i] - mask_y))) line[i] = 0;
+    warping::trim_row(line, surface.width(), trim ? inverse_depth_cur.row(v) + box.x0 : nullptr,
+                      static_cast<float>(tolerance), out);
   }
-
-  out.inside_area = inside;
-  out.confirmed_area = confirmed;
-  out.occluded_area = occluded;
-  out.expected_area = inside + outside;
-  out.mask.area = area;
-  out.mask.x = area > 0 ? left : 0;
-  out.mask.y = area > 0 ? top : 0;
-  const int width = area > 0 ? right - left + 1 : 0, height = area > 0 ? bottom - top + 1 : 0;
-  out.mask.pixels.resize(width, height);
-  out.inverse_depth.resize(width, height);
-  for (int v = 0; v < height; ++v) {
-    const float* from = surface.row(v + top - box.y0) + (left - box.x0);
-    std::copy_n(from, width, out.inverse_depth.row(v));
-    std::transform(from, from + width, out.mask.pixels.row(v), [](float q) { return std::uint8_t(q > 0 ? 255 : 0); });
-  }
+  out.expected_area += out.inside_area;
+  warping::take_pixels(surface, box.x0, box.y0, out);
 }
 
 /// Removes the pixels without measurement from a mask, which lies inside the frame. Its crop may then be wider than the

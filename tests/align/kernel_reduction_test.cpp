@@ -40,7 +40,7 @@ namespace kernel = dot::kernel;
 
 const dot::Pinhole camera({140, 135, 79.2, 58.7, 160, 120, 0});
 const SE3d motion = SE3d::exp((dot::Vector6<double>() << 0.1, -0.05, 0.2, 0.02, -0.05, 0.03).finished());
-const ResidualNoise noise{4, 0.06f, 1.345f};
+const ResidualNoise noise{4, 0.06f, 1.345f, 4.685f};
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
@@ -214,6 +214,88 @@ TEST(Kernel, AgreesForAnyNumberOfPoints) {
     compare(random_points(n, 10), {motion, 1, 0}, measured.term);
 }
 
+/// Costs and moments of all variants over the points of which none is doubtful.
+void compare_places(const PointSet& points, const AlignState& state, const DepthTerm& depth,
+                    const ResidualNoise& model = noise) {
+  const Image<std::uint8_t> image = texture(160, 120);
+  PointSet clear;
+  clear.take_if(points, [&](std::size_t i) { return !doubtful(points, i, state, depth); });
+  PointResiduals scratch;
+  const kernel::Costs want = SerialReduction::costs(clear, 0, camera, image, nullptr, state, model, depth, scratch);
+  const kernel::Moments moments = SerialReduction::moments(clear, 0, camera, image, nullptr, state, scratch);
+  for (const kernel::Kernels* k : kernel_variants()) {
+    const KernelReduction reduction{k};
+    const kernel::Costs got = reduction.costs(clear, 0, camera, image, nullptr, state, model, depth, scratch);
+    EXPECT_EQ(got.seen, want.seen) << k->name;
+    EXPECT_NEAR(got.sum, want.sum, 1e-3 * (1 + want.sum)) << k->name;
+    const kernel::Moments m = reduction.moments(clear, 0, camera, image, nullptr, state, scratch);
+    EXPECT_EQ(m.seen, moments.seen) << k->name;
+    for (const auto sum : {&kernel::Moments::x, &kernel::Moments::y})
+      EXPECT_NEAR(m.*sum, moments.*sum, 1e-3f * std::sqrt(static_cast<float>(m.seen) * moments.xx) + 1e-3f) << k->name;
+    for (const auto sum : {&kernel::Moments::xx, &kernel::Moments::xy, &kernel::Moments::yy})
+      EXPECT_NEAR(m.*sum, moments.*sum, 1e-3f * std::sqrt(moments.xx * moments.yy) + 1e-3f) << k->name;
+  }
+}
+
+TEST(Kernel, CostsAndMomentsAreThoseOfTheResiduals) {
+  for (const int n : {0, 1, 5, 17, 333, 3000}) {
+    Measured measured(21);
+    compare_places(random_points(n, 21), {motion, 1.08, -5}, {});
+    compare_places(random_points(n, 22), {motion, 0.95, 3}, measured.term);
+    measured.term.weight = measured.term.sigma = 0;
+    compare_places(random_points(n, 23), {SE3d{}, 1, 0}, measured.term);
+  }
+  for (const dot::GradientSource gradient : {dot::GradientSource::Reference, dot::GradientSource::Mean}) {
+    ResidualNoise by = noise;
+    by.gradient = gradient;
+    compare_places(random_points(1501, 24), {motion, 1.08, -5}, {}, by);
+  }
+}
+
+/// A pyramid of one level.
+dot::Pyramid level_of(const Image<std::uint8_t>& image) {
+  dot::Pyramid pyramid;
+  pyramid.levels.push_back(image);
+  return pyramid;
+}
+
+/// The values of quads are those of the image. So are the gradients where the image has one slope.
+TEST(Kernel, QuadsShowTheSameImage) {
+  Image<std::uint8_t> across(160, 120), down(160, 120);
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 160; ++x)
+      across(x, y) = static_cast<std::uint8_t>(x), down(x, y) = static_cast<std::uint8_t>(2 * y);
+  ResidualNoise without_gradient = noise, with_gradient = noise;
+  without_gradient.gradient_noise = 0;
+  with_gradient.gradient_noise = 2;
+  PointSet points = random_points(1501, 25), exact = points;
+  std::fill(exact.sigma_q.begin(), exact.sigma_q.end(), 0.f);
+  const Measured measured(25);
+  const AlignState state{motion, 1.08, -5};
+  PointResiduals scratch;
+  for (const kernel::Kernels* k : kernel_variants()) {
+    const KernelReduction reduction{k};
+    const auto compare = [&](const Image<std::uint8_t>& image, const PointSet& seen, const ResidualNoise& model,
+                             const DepthTerm& depth) {
+      dot::Quads quads;
+      quads.take(level_of(image), 0);
+      const auto want = reduction.costs(seen, 0, camera, image, nullptr, state, model, depth, scratch);
+      const auto got = reduction.costs(seen, 0, camera, image, &quads, state, model, depth, scratch);
+      EXPECT_GT(got.seen, 300) << k->name;
+      EXPECT_EQ(got.seen, want.seen) << k->name;
+      EXPECT_NEAR(got.sum, want.sum, 1e-4 * want.sum) << k->name;
+      const auto moments = reduction.moments(seen, 0, camera, image, &quads, state, scratch);
+      EXPECT_NEAR(moments.xy, reduction.moments(seen, 0, camera, image, nullptr, state, scratch).xy,
+                  1e-4f * std::sqrt(moments.xx * moments.yy))
+          << k->name;
+    };
+    compare(texture(160, 120), exact, without_gradient, {});
+    compare(texture(160, 120), exact, without_gradient, measured.term);
+    compare(across, points, with_gradient, {});
+    compare(down, points, with_gradient, {});
+  }
+}
+
 TEST(Kernel, PoseAloneIsTheBlockOfAll) {
   const Image<std::uint8_t> image = texture(160, 120);
   const PointSet points = random_points(2000, 11);
@@ -298,6 +380,8 @@ TEST(Kernel, ImagesTooSmallToSampleShowNothing) {
       for (std::size_t i = 0; i < residuals.size(); ++i) EXPECT_EQ(residuals.visibility[i], residuals.seen(i));
       const NormalEquations sums = reduction.linearize(points, 0, camera, image, {}, noise, {}, nullptr);
       EXPECT_TRUE(size == 5 || sums.seen == 0) << k->name;
+      EXPECT_EQ(reduction.costs(points, 0, camera, image, nullptr, {}, noise, {}, residuals).seen, sums.seen);
+      EXPECT_EQ(reduction.moments(points, 0, camera, image, nullptr, {}, residuals).seen, sums.seen);
     }
 }
 

@@ -96,21 +96,15 @@ struct DirectAligner {
   /// depth term and, if the problem sets it, a cost of hidden points. Infinite if too few points are visible.
   template <typename Camera>
   double tukey_cost(const AlignProblem<Camera>& problem, const AlignState& state, int level, double sigma_intensity) {
-    residuals(problem, level, state, sigma_intensity);
-    const PointResiduals& p = residuals_;
-    const float s2 = static_cast<float>(sq(sigma_intensity)), c = static_cast<float>(settings.tukey);
-    int seen = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) seen += p.seen(i);
-    // A point that is not seen has residual zero, which costs nothing.
-    double sum = tukey_cost_sum(p.r.data(), p.extra.data(), p.size(), s2, c);
-    if (problem.depth.weight > 0)
-      sum += static_cast<double>(problem.depth.weight) *
-             tukey_cost_sum(p.r_depth.data(), nullptr, p.size(), problem.depth.sigma * problem.depth.sigma, c);
-    if (seen < 10) return std::numeric_limits<double>::infinity();
-    sum += problem.photometric_cost(state);
-    if (problem.unseen_cost <= 0) return sum / seen;
+    are_current_ = false;
+    const kernel::Costs costs = reduction.costs(
+        problem.points, level, problem.camera.at_level(level), problem.image.levels[static_cast<std::size_t>(level)],
+        problem.quads_at(level), state, residual_noise(sigma_intensity), problem.depth_at(level), residuals_);
+    if (costs.seen < 10) return std::numeric_limits<double>::infinity();
+    const double sum = costs.sum + problem.photometric_cost(state);
+    if (problem.unseen_cost <= 0) return sum / costs.seen;
     const int all = problem.points.size();
-    return (sum + problem.unseen_cost * (all - seen)) / all;
+    return (sum + problem.unseen_cost * (all - costs.seen)) / all;
   }
 
   /// Sets `costs` to the Tukey cost of each point on a level, with a given sigma_I. Negative if the point is not seen.
@@ -129,17 +123,13 @@ struct DirectAligner {
   /// `min_share` of all points are visible.
   template <typename Camera>
   double correlation(const AlignProblem<Camera>& problem, const SE3d& T, int level, double min_share) {
-    residuals(problem, level, {T}, 1);
-    const PointResiduals& p = residuals_;
-    const std::vector<float>& reference = problem.points.intensity[static_cast<std::size_t>(level)];
-    float n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const float seen = p.seen(i), a = seen * (reference[i] - 128), b = seen * (p.value[i] - 128);
-      n += seen, x += a, y += b, xx += a * a, xy += a * b, yy += b * b;
-    }
-    if (n < 10 || n < static_cast<float>(min_share) * static_cast<float>(p.size())) return -1;
-    const float vx = xx - x * x / n, vy = yy - y * y / n;
-    return vx > 0 && vy > 0 ? static_cast<double>((xy - x * y / n) / std::sqrt(vx * vy)) : 0;
+    are_current_ = false;
+    const kernel::Moments m = reduction.moments(problem.points, level, problem.camera.at_level(level),
+                                                problem.image.levels[static_cast<std::size_t>(level)],
+                                                problem.quads_at(level), {T}, residuals_);
+    if (m.seen < 10 || m.seen < min_share * problem.points.size()) return -1;
+    const float n = static_cast<float>(m.seen), vx = m.xx - m.x * m.x / n, vy = m.yy - m.y * m.y / n;
+    return vx > 0 && vy > 0 ? static_cast<double>((m.xy - m.x * m.y / n) / std::sqrt(vx * vy)) : 0;
   }
 
   /// Robust sigma_I of a level at a pose: the value for which the median normalised residual is that of a normal.
@@ -177,7 +167,7 @@ struct DirectAligner {
 
   ResidualNoise residual_noise(double sigma_intensity) const {
     return {static_cast<float>(sigma_intensity), static_cast<float>(settings.gradient_noise),
-            static_cast<float>(settings.huber), settings.gradient};
+            static_cast<float>(settings.huber), static_cast<float>(settings.tukey), settings.gradient};
   }
 
   /// Excludes the outliers among the residuals that were computed last.

@@ -35,6 +35,39 @@ struct KernelReduction {
     }
   }
 
+  /// As of SerialReduction, but quads are read, if they are given and the gradients are the image's.
+  template <typename Camera>
+  kernel::Costs costs(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
+                      const Quads* quads, const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
+                      PointResiduals& scratch) const {
+    if constexpr (std::is_same_v<Camera, Pinhole>) {
+      kernel::Depth measured;
+      kernel::Input in = input(points, level, camera, image, state, noise, depth, nullptr, measured);
+      in.level.quads = data(quads);
+      kernel::Costs sums;
+      kernels->costs(in, sums);
+      return sums;
+    } else {
+      return SerialReduction::costs(points, level, camera, image, quads, state, noise, depth, scratch);
+    }
+  }
+
+  /// As of SerialReduction, but quads are read, if they are given.
+  template <typename Camera>
+  kernel::Moments moments(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
+                          const Quads* quads, const AlignState& state, PointResiduals& scratch) const {
+    if constexpr (std::is_same_v<Camera, Pinhole>) {
+      kernel::Depth none;
+      kernel::Input in = input(points, level, camera, image, state, {}, {}, nullptr, none);
+      in.level.quads = data(quads);
+      kernel::Moments sums;
+      kernels->moments(in, sums);
+      return sums;
+    } else {
+      return SerialReduction::moments(points, level, camera, image, quads, state, scratch);
+    }
+  }
+
   /// Sums H and g over the points that are not excluded. @param excluded one flag a point, or null. @param centre about
   /// which rotations are linearised, metres.
   template <typename Camera>
@@ -77,7 +110,7 @@ struct KernelReduction {
     if (noise.gradient != GradientSource::Image && points.gu[l].size() != points.u.size())
       throw std::invalid_argument("points.gu must have a value for each point where its gradients are to be taken");
     in.gradient = noise.gradient;
-    in.level = {image.row(0), image.width(), image.height(), image.width()};
+    in.level = {image.row(0), image.width(), image.height(), image.width(), nullptr};
     const Intrinsics& k = camera.intrinsics();
     in.view.fx = static_cast<float>(k.fx), in.view.fy = static_cast<float>(k.fy);
     in.view.cx = static_cast<float>(k.cx), in.view.cy = static_cast<float>(k.cy);
@@ -86,8 +119,8 @@ struct KernelReduction {
       in.view.t[r] = static_cast<float>(state.T.t[r]);
     }
     in.view.gain = static_cast<float>(state.gain), in.view.offset = static_cast<float>(state.offset);
-    in.noise = {noise.sigma_intensity * noise.sigma_intensity, noise.gradient_noise * noise.gradient_noise,
-                noise.huber};
+    in.noise = {noise.sigma_intensity * noise.sigma_intensity, noise.gradient_noise * noise.gradient_noise, noise.huber,
+                noise.tukey};
     if (depth.inverse_depth.data) {
       measured.data = depth.inverse_depth.data;
       measured.width = depth.inverse_depth.width, measured.height = depth.inverse_depth.height;
@@ -104,6 +137,9 @@ struct KernelReduction {
     }
     return in;
   }
+
+ private:
+  static const unsigned char* data(const Quads* quads) { return quads ? quads->pixels.row(0)->data() : nullptr; }
 };
 
 #if defined(DOT_COMPILED_KERNELS)

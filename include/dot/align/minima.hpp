@@ -82,6 +82,7 @@ struct MinimaWorkspace {
   std::vector<std::pair<double, std::size_t>> ranked;  ///< costs of the minima
   std::vector<Alignment> kept;                         ///< minima that the motion is chosen among
   std::vector<float> depths;                           ///< of the points, to sort them
+  Quads quads;                                         ///< of the level on which many places are compared
   PointSet few;                                        ///< a part of the points, to rank many places
   PointSet part;                                       ///< a part of these, to rank more places
   PointSet distant;                                    ///< points at infinity

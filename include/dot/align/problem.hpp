@@ -28,8 +28,12 @@ struct AlignProblem {
   AlignState photometry{};                             ///< expected gain and offset
   double gain_information = 0;                         ///< of the gain about the expected one
   double offset_information = 0;                       ///< of the offset about the expected one
-  double unseen_cost = 0;  ///< cost of a hidden point, or one that left the image, for ranking minima
+  double unseen_cost = 0;        ///< cost of a hidden point, or one that left the image, for ranking minima
+  const Quads* quads = nullptr;  ///< of one level of `image`, to compare many places on it; may be null
   const DepthPyramid* depth_pyramid = nullptr;  ///< of the new frame; null: depth.inverse_depth is used at all levels
+
+  /// The quads at a pyramid level, or null.
+  const Quads* quads_at(int level) const { return quads && quads->level == level ? quads : nullptr; }
 
   /// The depth term at a pyramid level.
   DepthTerm depth_at(int level) const {

@@ -10,6 +10,7 @@
 #include "dot/align/align_state.hpp"
 #include "dot/image/buffer.hpp"
 #include "dot/image/pyramid.hpp"
+#include "dot/image/quads.hpp"
 #include "dot/kernel/photometric.hpp"
 #include "dot/points/point_set.hpp"
 
@@ -47,6 +48,7 @@ struct ResidualNoise {
   float sigma_intensity = 5;                        ///< grey values
   float gradient_noise = 0.06f;                     ///< pixels: AlignSettings::gradient_noise
   float huber = 1.345f;                             ///< in sigma: AlignSettings::huber
+  float tukey = 4.685f;                             ///< in sigma: AlignSettings::tukey
   GradientSource gradient = GradientSource::Image;  ///< AlignSettings::gradient
 };
 
@@ -88,7 +90,7 @@ struct NormalEquations {
 };
 
 /// The readable reference implementation: one point after the other, for any camera. A faster one
-/// (align/kernel_reduction.hpp) has the same two functions.
+/// (align/kernel_reduction.hpp) has the same functions.
 struct SerialReduction {
   /// Residuals at `state`, without derivatives.
   template <typename Camera>
@@ -98,6 +100,20 @@ struct SerialReduction {
     out.resize(static_cast<std::size_t>(points.size()));
     run(points, level, camera, image, state, noise, depth, nullptr, Vector3<double>::Zero(), &out, nullptr);
   }
+
+  /// Tukey's costs of the points that are seen at `state`. @param quads of the image, or null; a faster reduction may
+  /// read them instead. @param scratch contents unspecified afterwards.
+  template <typename Camera>
+  static kernel::Costs costs(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
+                             const Quads* quads, const AlignState& state, const ResidualNoise& noise,
+                             const DepthTerm& depth, PointResiduals& scratch);
+
+  /// Moments of the intensities of the points that are seen at `state`, in the reference and in the image. The other
+  /// parameters are as above.
+  template <typename Camera>
+  static kernel::Moments moments(const PointSet& points, int level, const Camera& camera,
+                                 const Image<std::uint8_t>& image, const Quads* quads, const AlignState& state,
+                                 PointResiduals& scratch);
 
   /// Normal equations at `state`. A non-zero `excluded[i]` leaves a point out; `excluded` may be null. `centre` is c,
   /// metres.

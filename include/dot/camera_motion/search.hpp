@@ -25,7 +25,7 @@ struct CameraSearch {
     int rounds;          ///< of the refinement about each of them
     int points;          ///< that refine, roughly
   };
-  static constexpr Effort kThorough{8, 40, 2, 350};  ///< of all points
+  static constexpr Effort kThorough{8, 30, 2, 350};  ///< of all points
   static constexpr Effort kBrief{4, 8, 1, 250};      ///< of those that a motion found before does not explain
 
   double metres = 0;      ///< largest expected translation of the camera
@@ -49,13 +49,15 @@ struct CameraSearch {
     const int level = level_of(std::min(problem.points.levels, problem.image.size()));
     auto& tried = workspace.tried;
     tried.clear();
-    const AlignProblem<Camera> scanned = part_of(problem, kScanned, workspace);
+    workspace.quads.take(problem.image, level);
+    AlignProblem<Camera> all = problem, scanned = part_of(problem, kScanned, workspace);
+    all.quads = scanned.quads = &workspace.quads;
     for (const auto& turn : workspace.turns) {
       const std::size_t others = tried.size();
       add_shifts(scanned, turn.second.at(turn.second.T * T_before_j), depth, sigma, aligner, tried);
       keep_cheapest(tried, effort.shifts + kMore, others);
       for (std::size_t i = others; i < tried.size(); ++i)
-        tried[i].first = aligner.tukey_cost(problem, tried[i].second, level, sigma);
+        tried[i].first = aligner.tukey_cost(all, tried[i].second, level, sigma);
       keep_cheapest(tried, effort.shifts, others);
     }
     const AlignProblem<Camera> part = part_of(problem, effort.points, workspace);

@@ -28,7 +28,9 @@ struct TurnSearch {
     turns.assign(1, {0, unturned});
     const int level = std::min(before.size(), image.size()) - 1, finer = std::max(0, level - 1);
     take_distant(before, level, finer, camera, workspace.distant);
-    const AlignProblem<Camera> distant{workspace.distant, image, camera};
+    AlignProblem<Camera> distant{workspace.distant, image, camera};
+    workspace.quads.take(image, level);
+    distant.quads = &workspace.quads;
     const auto cost = [&](const SE3d& T, int l) { return -aligner.correlation(distant, T, l, kInCommon); };
 
     // Steps of a few pixels of that level, in the middle and at the sides. The aligner finds the minima between them.
@@ -60,7 +62,7 @@ struct TurnSearch {
 
   static constexpr int kDistantPoints = 700;   ///< of the smallest image, roughly
   static constexpr std::size_t kAligned = 10;  ///< rotations of the grid that are refined
-  static constexpr std::size_t kTurns = 4;     ///< rotations that are kept
+  static constexpr std::size_t kTurns = 3;     ///< rotations that are kept
   static constexpr double kAnotherTurn = 4;    ///< pixels of level 0 between two different rotations
   static constexpr double kInCommon = 0.5;     ///< least share of the past image inside the new one
 

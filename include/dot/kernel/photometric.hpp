@@ -32,6 +32,9 @@ struct Level {
   const unsigned char* data = nullptr;
   int width = 0, height = 0;
   std::ptrdiff_t stride = 0;
+  /// The 2x2 pixels from each pixel on, four bytes row by row, `width` of them a row; may be null. Read by the kernels
+  /// that compare places: a single load for a point. The gradient is then that of the bilinear interpolation.
+  const unsigned char* quads = nullptr;
 };
 
 /// Pinhole camera of the level, pose T_i_j (R row-major) and photometry.
@@ -48,6 +51,7 @@ struct Noise {
   float s2 = 25;         ///< sigma_I^2
   float gradient2 = 0;   ///< gradient_noise^2
   float huber = 1.345f;  ///< in sigma
+  float tukey = 4.685f;  ///< in sigma
 };
 
 /// The term of the measured inverse depth of the new frame, see DepthTerm.
@@ -84,6 +88,19 @@ struct Residuals {
 constexpr unsigned char kSeen = 1;      ///< inside the image, in front, not hidden
 constexpr unsigned char kHasDepth = 2;  ///< r_depth is valid
 constexpr unsigned char kOccluded = 4;  ///< inside the image, but hidden
+
+/// Tukey's costs of the points that are seen.
+struct Costs {
+  double sum = 0;  ///< of the residuals, and of the depth residuals times their weight
+  int seen = 0;
+};
+
+/// Sums over the points that are seen, of the reference's intensity x and the value y at the moved point, both less
+/// 128.
+struct Moments {
+  int seen = 0;
+  float x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+};
 
 /// Samples of an image at points, arrays of the caller, one value per point.
 struct Samples {

@@ -22,6 +22,36 @@ inline void add(const float (&J)[8], float w, float r, NormalEquations& sums) {
 }
 
 template <typename Camera>
+kernel::Costs SerialReduction::costs(const PointSet& points, int level, const Camera& camera,
+                                     const Image<std::uint8_t>& image, const Quads*, const AlignState& state,
+                                     const ResidualNoise& noise, const DepthTerm& depth, PointResiduals& scratch) {
+  residuals(points, level, camera, image, state, noise, depth, scratch);
+  kernel::Costs sums;
+  // A point that is not seen has residual zero, which costs nothing.
+  sums.sum = tukey_cost_sum(scratch.r.data(), scratch.extra.data(), scratch.size(),
+                            noise.sigma_intensity * noise.sigma_intensity, noise.tukey);
+  if (depth.inverse_depth.data && depth.weight > 0)
+    sums.sum += static_cast<double>(depth.weight) *
+                tukey_cost_sum(scratch.r_depth.data(), nullptr, scratch.size(), depth.sigma * depth.sigma, noise.tukey);
+  for (std::size_t i = 0; i < scratch.size(); ++i) sums.seen += scratch.seen(i);
+  return sums;
+}
+
+template <typename Camera>
+kernel::Moments SerialReduction::moments(const PointSet& points, int level, const Camera& camera,
+                                         const Image<std::uint8_t>& image, const Quads*, const AlignState& state,
+                                         PointResiduals& scratch) {
+  residuals(points, level, camera, image, state, {}, {}, scratch);
+  const std::vector<float>& reference = points.intensity[static_cast<std::size_t>(level)];
+  kernel::Moments m;
+  for (std::size_t i = 0; i < scratch.size(); ++i) {
+    const float seen = scratch.seen(i), x = seen * (reference[i] - 128), y = seen * (scratch.value[i] - 128);
+    m.seen += scratch.seen(i), m.x += x, m.y += y, m.xx += x * x, m.xy += x * y, m.yy += y * y;
+  }
+  return m;
+}
+
+template <typename Camera>
 void SerialReduction::run(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
                           const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
                           const std::uint8_t* excluded, const Vector3<double>& centre, PointResiduals* out,

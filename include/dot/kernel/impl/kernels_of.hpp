@@ -4,6 +4,7 @@
 
 #include "dot/kernel/impl/image_rows.hpp"
 #include "dot/kernel/impl/image_samples.hpp"
+#include "dot/kernel/impl/photometric_costs.hpp"
 #include "dot/kernel/impl/photometric_sums.hpp"
 #include "dot/kernel/impl/plane_fitter.hpp"
 #include "dot/kernel/impl/strongest_gradients.hpp"
@@ -34,6 +35,8 @@ template <typename V>
 constexpr Kernels kernels_of(const char* name) {
   return {name,
           residuals<V>,
+          costs<V>,
+          moments<V>,
           linearize<V, 8>,
           linearize<V, 6>,
           sample<V>,

@@ -31,8 +31,13 @@ template <typename V>
 struct Tally {
   typename V::F cost = V::set(0);
   typename V::F u_min = V::set(1e30f), u_max = V::set(-1e30f), v_min = V::set(1e30f), v_max = V::set(-1e30f);
-  int seen = 0, occluded = 0;
+  typename V::F kept = V::set(0), depth_kept = V::set(0);  ///< 1 - Tukey's cost over the highest one
+  typename V::F x = V::set(0), y = V::set(0), xx = V::set(0), xy = V::set(0), yy = V::set(0);  ///< see Moments
+  int seen = 0, occluded = 0, with_depth = 0;
 };
+
+/// What `evaluate` computes of each point: residuals, columns of a block, or sums in the tally.
+enum class Wanted { Residuals, Columns, Costs, Moments };
 
 /// Bilinear value and, if requested, central differences (times two) of the 4x4 pixels about (u, v).
 template <typename V>
@@ -65,9 +70,40 @@ struct Patch {
   }
 };
 
+/// Bilinear value of the 2x2 pixels about (u, v), and its derivatives (times two).
+template <typename V>
+struct Quad {
+  using F = typename V::F;
+  F value, gx, gy;
+
+  /// @pre as of Patch.
+  Quad(const Level& level, F u, F v) {
+    const auto column = V::to_int(u), row = V::to_int(v);
+    const F a = V::sub(u, V::to_float(column)), b = V::sub(v, V::to_float(row));
+    const auto at = V::muli(V::addi(V::muli(row, V::seti(level.width)), column), V::seti(4));
+    const auto pixels = V::gather4(level.quads, at);
+    const F a1 = V::template byte<0>(pixels), b1 = V::template byte<1>(pixels);
+    const F a2 = V::template byte<2>(pixels), b2 = V::template byte<3>(pixels);
+    const F v1 = Patch<V>::between(a1, b1, a), v2 = Patch<V>::between(a2, b2, a), two = V::set(2);
+    value = Patch<V>::between(v1, v2, b);
+    gx = V::mul(two, Patch<V>::between(V::sub(b1, a1), V::sub(b2, a2), b));
+    gy = V::mul(two, V::sub(v2, v1));
+  }
+};
+
+/// (1 - (e/c)^2)^3, 0 beyond c, of residuals e with the variances v: 1 - Tukey's cost over the highest one.
+template <typename V>
+typename V::F tukey_kept(typename V::F e, typename V::F v, float c) {
+  using F = typename V::F;
+  const F share = V::div(V::mul(V::mul(e, e), V::set(1 / (c * c))), v);
+  const F inside = V::max(V::sub(V::set(1), share), V::set(0));
+  return V::mul(V::mul(inside, inside), inside);
+}
+
 /// Computes residuals of the first `n` points of `p`, a multiple of the lanes. Writes them to `out`, or as columns of
-/// `block` from index `at` on.
-template <typename V, GradientSource kGradient, bool kColumnsWanted, bool kDepth>
+/// `block` from index `at` on, or adds to `tally`. @tparam kQuads whether `in.level.quads` are read; only for
+/// GradientSource::Image.
+template <typename V, GradientSource kGradient, Wanted kWanted, bool kDepth, bool kQuads = false>
 void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Block* block, int at, Tally<V>& tally) {
   using F = typename V::F;
   using M = typename V::M;
@@ -132,7 +168,21 @@ void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Blo
     }
     tally.seen += V::count(seen);
 
-    Patch<V> patch(in.level, u, v, kGradient != GradientSource::Reference);
+    auto patch = [&] {
+      if constexpr (kQuads)
+        return Quad<V>(in.level, u, v);
+      else
+        return Patch<V>(in.level, u, v, kGradient != GradientSource::Reference && kWanted != Wanted::Moments);
+    }();
+    const F intensity = V::load(p.intensity + i);
+    if constexpr (kWanted == Wanted::Moments) {
+      const F middle = V::set(128);
+      const F before = V::keep(seen, V::sub(intensity, middle)), now = V::keep(seen, V::sub(patch.value, middle));
+      tally.x = V::add(tally.x, before), tally.y = V::add(tally.y, now);
+      tally.xx = V::fma(before, before, tally.xx), tally.yy = V::fma(now, now, tally.yy);
+      tally.xy = V::fma(before, now, tally.xy);
+      continue;
+    }
     if constexpr (kGradient != GradientSource::Image) {
       // A small piece of surface appears 1 / Z~ times as large as in the reference, so its gradient is Z~ times as
       // large. Its rotation about the optical axis and its shear are neglected.
@@ -143,7 +193,6 @@ void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Blo
       else
         patch.gx = gx, patch.gy = gy;
     }
-    const F intensity = V::load(p.intensity + i);
     const F r = V::sub(V::fma(minus_gain, intensity, patch.value), offset);
     const F gu = V::mul(patch.gx, fx_half), gv = V::mul(patch.gy, fy_half);
     const F along = V::fma(gu, xn, V::mul(gv, yn));
@@ -153,7 +202,14 @@ void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Blo
     const F gradient = V::fma(patch.gx, patch.gx, V::mul(patch.gy, patch.gy));
     const F extra = V::fma(by_depth, by_depth, V::mul(gradient2, gradient));
 
-    if constexpr (kColumnsWanted) {
+    if constexpr (kWanted == Wanted::Costs) {
+      tally.kept = V::add(tally.kept, V::keep(seen, tukey_kept<V>(r, V::add(extra, s2_intensity), in.noise.tukey)));
+      if constexpr (kDepth) {
+        const F kept = tukey_kept<V>(r_depth, V::set(in.depth->sigma * in.depth->sigma), in.noise.tukey);
+        tally.depth_kept = V::add(tally.depth_kept, V::keep(has_depth, kept));
+        tally.with_depth += V::count(has_depth);
+      }
+    } else if constexpr (kWanted == Wanted::Columns) {
       const int k = at + i;
       const F bx = V::fma(c0, qi, xn), by = V::fma(c1, qi, yn), bz = V::fma(c2, qi, one);
       const F inverse_s = V::inverse_sqrt(V::add(extra, s2_intensity));
@@ -200,5 +256,23 @@ void evaluate(const Input& in, const Points& p, int n, const Residuals* out, Blo
     }
   }
 }
+
+/// The last points of a set, fewer than the lanes. Excluded copies of the last point fill the other lanes.
+template <typename V>
+struct Tail {
+  float f[9][V::W];
+  unsigned char excluded[V::W];
+
+  /// Points from..from + count of `p`. The result borrows the memory of this object.
+  Points fill(const Points& p, int from, int count) {
+    const float* const arrays[9] = {p.x, p.y, p.q, p.sigma_q, p.intensity, p.gu, p.gv, p.u, p.v};
+    for (int lane = 0; lane < V::W; ++lane) {
+      const int i = from + (lane < count ? lane : count - 1);
+      for (int k = 0; k < 9; ++k) f[k][lane] = arrays[k] ? arrays[k][i] : 0;
+      excluded[lane] = lane >= count || (p.excluded && p.excluded[i]);
+    }
+    return {V::W, f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], excluded};
+  }
+};
 
 }  // namespace dot::kernel

@@ -15,24 +15,6 @@ namespace dot::kernel {
 
 constexpr int kBlocksInAChunk = 8;  // blocks whose sums are float
 
-/// The last points of a set, fewer than the lanes. Excluded copies of the last point fill the other lanes.
-template <typename V>
-struct Tail {
-  float f[9][V::W];
-  unsigned char excluded[V::W];
-
-  /// Points from..from + count of `p`. The result borrows the memory of this object.
-  Points fill(const Points& p, int from, int count) {
-    const float* const arrays[9] = {p.x, p.y, p.q, p.sigma_q, p.intensity, p.gu, p.gv, p.u, p.v};
-    for (int lane = 0; lane < V::W; ++lane) {
-      const int i = from + (lane < count ? lane : count - 1);
-      for (int k = 0; k < 9; ++k) f[k][lane] = arrays[k] ? arrays[k][i] : 0;
-      excluded[lane] = lane >= count || (p.excluded && p.excluded[i]);
-    }
-    return {V::W, f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], excluded};
-  }
-};
-
 /// `p` from point `i` on.
 template <typename V>
 Points advanced(Points p, int i) {
@@ -48,13 +30,14 @@ template <typename V, GradientSource kGradient, bool kDepth>
 void all_residuals(const Input& in, const Residuals& out) {
   Tally<V> tally;
   const int n = in.points.n, whole = n / V::W * V::W;
-  evaluate<V, kGradient, false, kDepth>(in, in.points, whole, &out, nullptr, 0, tally);
+  evaluate<V, kGradient, Wanted::Residuals, kDepth>(in, in.points, whole, &out, nullptr, 0, tally);
   if (whole == n) return;
   Tail<V> tail;
   float f[4][V::W];
   unsigned char bits[V::W];
   const Residuals staged{f[0], f[1], f[2], f[3], bits};
-  evaluate<V, kGradient, false, kDepth>(in, tail.fill(in.points, whole, n - whole), V::W, &staged, nullptr, 0, tally);
+  evaluate<V, kGradient, Wanted::Residuals, kDepth>(in, tail.fill(in.points, whole, n - whole), V::W, &staged, nullptr,
+                                                    0, tally);
   for (int i = whole; i < n; ++i) {
     const int lane = i - whole;
     out.r[i] = f[0][lane], out.extra[i] = f[1][lane], out.value[i] = f[2][lane], out.r_depth[i] = f[3][lane];
@@ -186,11 +169,12 @@ void all_products(const Input& in, Sums& out) {
   const int n = in.points.n;
   for (int start = 0, blocks = 0; start < n; start += kBlock) {
     const int count = n - start < kBlock ? n - start : kBlock, whole = count / V::W * V::W;
-    evaluate<V, kGradient, true, kDepth>(in, advanced<V>(in.points, start), whole, nullptr, &block, 0, tally);
+    evaluate<V, kGradient, Wanted::Columns, kDepth>(in, advanced<V>(in.points, start), whole, nullptr, &block, 0,
+                                                    tally);
     if (whole < count) {
       Tail<V> tail;
       const Points last = tail.fill(in.points, start + whole, count - whole);
-      evaluate<V, kGradient, true, kDepth>(in, last, V::W, nullptr, &block, whole, tally);
+      evaluate<V, kGradient, Wanted::Columns, kDepth>(in, last, V::W, nullptr, &block, whole, tally);
     }
     partial.template add<kParameters, kDepth>(block, (count + V::W - 1) / V::W * V::W);
     if (++blocks == kBlocksInAChunk || start + kBlock >= n) {

@@ -47,7 +47,7 @@ class Labeller {
 
  private:
   static void paint(const List& far_to_near, int width, int height, PaintedImage<std::uint32_t>& ids);
-  void advance(const FramePtr& cur, const CameraStep& camera_step, bool segmented);
+  void advance(const List& tracks, const FramePtr& cur, const CameraStep& camera_step, bool segmented);
   void show_new_parts(const Track& t, const FrameData& cur, const Camera& camera, const Noise& noise,
                       const MaskSettings& settings, std::array<int, 4>& box);
 

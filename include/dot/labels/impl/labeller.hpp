@@ -15,7 +15,7 @@ template <typename Camera, typename Noise>
 void Labeller<Camera, Noise>::label(const List& far_to_near, const FramePtr& cur, const CameraStep& camera_step,
                                     bool segmented, const Camera& camera, const Noise& noise,
                                     const MaskSettings& settings) {
-  advance(cur, camera_step, segmented);
+  advance(far_to_near, cur, camera_step, segmented);
   labels_.clear(camera.width(), camera.height());
   for (Track* t : far_to_near) {
     TrackedOutline& outline = t->outline;
@@ -39,13 +39,16 @@ void Labeller<Camera, Noise>::label(const List& far_to_near, const FramePtr& cur
   if (segmented) T_now_segmented_ = {};
 }
 
-/// A segmented frame becomes the frame to compare with at the next frame.
+/// A segmented frame becomes the frame to compare with at the next frame. Its ids are kept only if an object was not
+/// observed in the next one. So no memory is taken for them as long as all objects have masks.
 template <typename Camera, typename Noise>
-void Labeller<Camera, Noise>::advance(const FramePtr& cur, const CameraStep& camera_step, bool segmented) {
+void Labeller<Camera, Noise>::advance(const List& tracks, const FramePtr& cur, const CameraStep& camera_step,
+                                      bool segmented) {
   T_now_segmented_ = camera_step.T_cur_prev * T_now_segmented_;
   known_ = known_ && camera_step.known();
+  const bool all_observed = std::all_of(tracks.begin(), tracks.end(), [](const Track* t) { return t->observed; });
   if (newly_segmented_) {
-    std::swap(segmented_ids_, ids_);
+    if (!segmented || !all_observed) std::swap(segmented_ids_, ids_);
     segmented_ = std::move(newly_segmented_);
     known_ = camera_step.known();
   }

@@ -25,7 +25,7 @@ struct CameraSearch {
     int rounds;          ///< of the refinement about each of them
     int points;          ///< that refine, roughly
   };
-  static constexpr Effort kThorough{8, 30, 2, 350};  ///< of all points
+  static constexpr Effort kThorough{8, 40, 2, 350};  ///< of all points
   static constexpr Effort kBrief{4, 8, 1, 250};      ///< of those that a motion found before does not explain
 
   double metres = 0;      ///< largest expected translation of the camera

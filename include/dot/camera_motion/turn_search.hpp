@@ -62,7 +62,7 @@ struct TurnSearch {
 
   static constexpr int kDistantPoints = 700;   ///< of the smallest image, roughly
   static constexpr std::size_t kAligned = 10;  ///< rotations of the grid that are refined
-  static constexpr std::size_t kTurns = 3;     ///< rotations that are kept
+  static constexpr std::size_t kTurns = 4;     ///< rotations that are kept
   static constexpr double kAnotherTurn = 4;    ///< pixels of level 0 between two different rotations
   static constexpr double kInCommon = 0.5;     ///< least share of the past image inside the new one
 

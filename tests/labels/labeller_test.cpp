@@ -105,6 +105,26 @@ TEST(Labeller, ShowsPartsThatTheSegmentationCouldNotSee) {
   EXPECT_EQ(scene.labeller.ids()(2, 15), 1u);
 }
 
+/// A network that gives a mask of another object alone, after frames in which it gave all.
+TEST(Labeller, ShowsPartsOfAnObjectThatTheSegmentationMissed) {
+  Scene scene;
+  Track &missed = scene.add(State::Moving), &other = scene.add(State::Static);
+  dot::Observation observation;
+  const box_scene::Box standing{60, 70, 10, 20, kNear, 2};
+  for (const int x : {-22, -20}) {
+    missed.observed = other.observed = &observation;
+    Scene::place(missed, {0, 10, 32 + x, 20});
+    Scene::place(other, {60, 10, 10, 10});
+    scene.label({{x, 32 + x, 10, 30, kObject, 1}, standing}, true);
+  }
+  missed.observed = nullptr;
+  Scene::place(missed, {8, 10, 12, 20}, 8);
+  Scene::place(other, {60, 10, 10, 10});
+  scene.label({{-12, 20, 10, 30, kObject, 1}, standing}, true);
+  EXPECT_EQ(missed.outline.mask.area, 20 * 20);
+  EXPECT_EQ(other.outline.mask.area, 10 * 10);
+}
+
 TEST(Labeller, ShowsNoNewPartsAfterAGuessOfTheCamera) {
   Scene scene;
   scene.status = CameraStatus::Lost;

@@ -25,7 +25,7 @@ struct Problem {
   dot::Pinhole camera{{520, 520, 319.5, 239.5, 640, 480, 0}};
   dot::AlignState state{dot::SE3d::exp((dot::Vector6<double>() << 0.01, -0.005, 0.02, 0.004, -0.006, 0.01).finished()),
                         1.05, -3};
-  dot::ResidualNoise noise{5, 0.06f, 1.345f};
+  dot::ResidualNoise noise{5, 0.06f, 1.345f, 4.685f};
 
   Problem() {
     std::minstd_rand bits(7);
@@ -100,6 +100,21 @@ void residuals(benchmark::State& state, const dot::kernel::Kernels* k) {
   report(state, p.points.size());
 }
 
+/// Costs, as a search compares places. @param on_quads from quads instead of the image.
+void costs(benchmark::State& state, const dot::kernel::Kernels* k, bool on_quads) {
+  const Problem& p = problem();
+  dot::Pyramid pyramid;
+  pyramid.levels.push_back(p.image);
+  dot::Quads quads;
+  quads.take(pyramid, 0);
+  dot::KernelReduction reduction{k};
+  dot::PointResiduals scratch;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        reduction.costs(p.points, 0, p.camera, p.image, on_quads ? &quads : nullptr, p.state, p.noise, {}, scratch));
+  report(state, p.points.size());
+}
+
 void serial(benchmark::State& state) {
   const Problem& p = problem();
   for (auto _ : state)
@@ -135,6 +150,8 @@ void add(const std::string& name, dot::KernelVariant variant, dot::bench::BareLo
   one("pose_gain_offset", [=](benchmark::State& s) { kernels(s, k, true, false); });
   one("with_depth", [=](benchmark::State& s) { kernels(s, k, true, true); });
   one("residuals", [=](benchmark::State& s) { residuals(s, k); });
+  one("costs", [=](benchmark::State& s) { costs(s, k, false); });
+  one("costs_on_quads", [=](benchmark::State& s) { costs(s, k, true); });
 }
 
 const bool registered = [] {

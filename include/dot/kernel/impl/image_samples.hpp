@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dot/kernel/impl/photometric_factor.hpp"
+#include "dot/kernel/impl/patches.hpp"
 
 /// @file
 /// Grey values and gradients at points, over V::W lanes, see impl/kernels_of.hpp.

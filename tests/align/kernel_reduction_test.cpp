@@ -250,6 +250,9 @@ TEST(Kernel, CostsAndMomentsAreThoseOfTheResiduals) {
     by.gradient = gradient;
     compare_places(random_points(1501, 24), {motion, 1.08, -5}, {}, by);
   }
+  ResidualNoise wide = noise;
+  wide.tukey = 30;  // costs that are a small share of the highest one, of many points
+  compare_places(random_points(50000, 26), {motion, 1.08, -5}, Measured(26).term, wide);
 }
 
 /// A pyramid of one level.
@@ -291,6 +294,10 @@ TEST(Kernel, QuadsShowTheSameImage) {
     };
     compare(texture(160, 120), exact, without_gradient, {});
     compare(texture(160, 120), exact, without_gradient, measured.term);
+    dot::Quads smaller;  // of another level: not read
+    smaller.take(level_of(texture(80, 60)), 0);
+    EXPECT_EQ(reduction.costs(points, 0, camera, across, &smaller, state, noise, {}, scratch).sum,
+              reduction.costs(points, 0, camera, across, nullptr, state, noise, {}, scratch).sum);
     compare(across, points, with_gradient, {});
     compare(down, points, with_gradient, {});
   }

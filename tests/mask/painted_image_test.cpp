@@ -59,6 +59,19 @@ TEST(PaintedImage, AnEmptyMaskChangesNothing) {
   EXPECT_TRUE(painted.boxes().empty());
 }
 
+TEST(PaintedImage, ReservesMemoryOnce) {
+  PaintedImage<std::uint8_t> painted;
+  painted.reserve(20, 10, 4);
+  EXPECT_GE(painted.boxes().capacity(), 4u);
+  painted.image().fill(7);  // whatever the memory held
+  painted.clear(20, 10);
+  EXPECT_EQ(count(painted), 0);
+  painted.paint(box_of(2, 3, 5, 4), 1);
+  painted.reserve(20, 10, 2);
+  EXPECT_EQ(count(painted), 5 * 4);
+  EXPECT_EQ(painted.boxes().size(), 1u);
+}
+
 /// An exception may leave pixels outside of the boxes.
 TEST(PaintedImage, ForgetsWhereItWasPainted) {
   PaintedImage<std::uint8_t> painted;

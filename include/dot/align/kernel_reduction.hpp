@@ -43,7 +43,7 @@ struct KernelReduction {
     if constexpr (std::is_same_v<Camera, Pinhole>) {
       kernel::Depth measured;
       kernel::Input in = input(points, level, camera, image, state, noise, depth, nullptr, measured);
-      in.level.quads = data(quads);
+      in.level.quads = data(quads, image);
       kernel::Costs sums;
       kernels->costs(in, sums);
       return sums;
@@ -59,7 +59,7 @@ struct KernelReduction {
     if constexpr (std::is_same_v<Camera, Pinhole>) {
       kernel::Depth none;
       kernel::Input in = input(points, level, camera, image, state, {}, {}, nullptr, none);
-      in.level.quads = data(quads);
+      in.level.quads = data(quads, image);
       kernel::Moments sums;
       kernels->moments(in, sums);
       return sums;
@@ -139,7 +139,13 @@ struct KernelReduction {
   }
 
  private:
-  static const unsigned char* data(const Quads* quads) { return quads ? quads->pixels.row(0)->data() : nullptr; }
+  /// The quads, if they are of an image of that size and their offsets in bytes fit into 32 bits.
+  static const unsigned char* data(const Quads* quads, const Image<std::uint8_t>& image) {
+    constexpr double kMostPixels = 1 << 29;
+    const bool fits = quads && quads->pixels.width() == image.width() && quads->pixels.height() == image.height() &&
+                      1.0 * image.width() * image.height() < kMostPixels;
+    return fits ? quads->pixels.row(0)->data() : nullptr;
+  }
 };
 
 #if defined(DOT_COMPILED_KERNELS)

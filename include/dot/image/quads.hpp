@@ -11,8 +11,8 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// A level of a pyramid with the 2x2 pixels from each pixel on side by side. A bilinear sample is then a single load
-/// instead of four. It is worth the copy where many places are compared on a small level.
+/// A level of a pyramid with the 2x2 pixels from each pixel on side by side, so that a single load gives a bilinear
+/// sample. It is worth the copy where many places are compared on a small level.
 struct Quads {
   Image<std::array<std::uint8_t, 4>> pixels;  ///< (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)
   int level = -1;                             ///< of the pyramid

@@ -17,8 +17,8 @@ namespace dot::kernel {
 struct Kernels {
   const char* name;
   void (*residuals)(const Input& in, const Residuals& out);
-  void (*costs)(const Input& in, Costs& out);
-  void (*moments)(const Input& in, Moments& out);
+  void (*costs)(const Input& in, Costs& out);          ///< reads quads for GradientSource::Image
+  void (*moments)(const Input& in, Moments& out);      ///< reads quads; needs no gradient, and no depth term
   void (*linearize)(const Input& in, Sums& out);       ///< pose, gain and offset
   void (*linearize_pose)(const Input& in, Sums& out);  ///< pose alone
   /// Samples a level of at least 4 x 4 pixels at n points (u, v), pixels of level 0. `scale` is the size of such a

@@ -32,8 +32,9 @@ struct Level {
   const unsigned char* data = nullptr;
   int width = 0, height = 0;
   std::ptrdiff_t stride = 0;
-  /// The 2x2 pixels from each pixel on, four bytes row by row, `width` of them a row; may be null. Read by the kernels
-  /// that compare places: a single load for a point. The gradient is then that of the bilinear interpolation.
+  /// The 2x2 pixels from each pixel on, four bytes row by row, `width` of them a row, fewer than 2^31 bytes in all; may
+  /// be null. Read by the kernels that compare places: a single load for a point. The gradient is then that of the
+  /// bilinear interpolation.
   const unsigned char* quads = nullptr;
 };
 

@@ -34,6 +34,14 @@ class PaintedImage {
     boxes_.clear();
   }
 
+  /// Takes the memory for an image of that size and for so many boxes, without writing to it.
+  void reserve(int width, int height, std::size_t boxes) {
+    boxes_.reserve(boxes);
+    if (width == image_.width() && height == image_.height()) return;
+    is_unknown_ = true;
+    image_.resize(width, height);
+  }
+
   /// Sets the pixels of a mask, which is inside the image.
   void paint(const Mask& mask, T value) {
     if (mask.empty()) return;

@@ -66,7 +66,10 @@ struct ObjectMotionEstimator {
   static constexpr double kLeastSeen = 0.3;  ///< share of the points inside the image that must be seen
   static constexpr double kFirstsMargin =
       0.98;  ///< factor on the cost of the first start, so that equal minima do not alternate
-  static constexpr std::size_t kTried = 4;  ///< number of minima that are checked
+  static constexpr std::size_t kTried = 4;      ///< number of minima that are checked
+  static constexpr std::size_t kFewStarts = 2;  ///< so many starts are all aligned
+  static constexpr double kHopeless = 4;  ///< cost of a start over the least one on the coarsest level, up to which it
+                                          ///< is aligned
 
   /// Aligns from the first `count` starts, level `top` first, and returns the best minimum that passes the checks.
   template <typename Camera, typename Noise, typename Aligner>
@@ -82,12 +85,24 @@ struct ObjectMotionEstimator {
     const auto sees_few = [&](const Alignment& a) {
       return a.seen < settings.min_inliers || a.seen < kLeastSeen * settings.min_visible * points;
     };
-    for (std::size_t i = 0; i < count; ++i) {
-      const AlignState start{problem.T_outer * starts[i], pair.camera.gain, pair.camera.offset};
+    auto& tried = workspace.tried;
+    tried.clear();
+    for (std::size_t i = 0; i < count; ++i)
+      tried.push_back({0, {problem.T_outer * starts[i], pair.camera.gain, pair.camera.offset}});
+    // Without a known velocity there are many starts, and most are wrong.
+    double highest = 0;
+    if (count > kFewStarts && !(known.seconds > 0)) {
+      const double sigma = aligner.intensity_sigma(problem, tried.front().second, top);
+      double least = std::numeric_limits<double>::infinity();
+      for (auto& [cost, start] : tried) least = std::min(least, cost = aligner.tukey_cost(problem, start, top, sigma));
+      highest = std::max(kNegligibleCost, kHopeless * least);
+    }
+    for (const auto& [cost, start] : tried) {
+      if (cost > highest) continue;
       // Less than a pixel of the coarsest level away from a minimum, a start nearly always leads to that minimum.
-      const auto leads_to = [&](const Alignment& found) {
+      const auto leads_to = [&, &from = start.T](const Alignment& found) {
         return found.converged && !sees_few(found) &&
-               is_near(problem.points, problem.camera, start.T, found.state.T, 1 << top);
+               is_near(problem.points, problem.camera, from, found.state.T, 1 << top);
       };
       if (std::none_of(minima.found.begin(), minima.found.end(), leads_to))
         minima.add(problem, aligner.align(problem, start, top, fine));

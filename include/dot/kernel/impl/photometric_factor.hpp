@@ -31,7 +31,7 @@ template <typename V>
 struct Tally {
   typename V::F cost = V::set(0);
   typename V::F u_min = V::set(1e30f), u_max = V::set(-1e30f), v_min = V::set(1e30f), v_max = V::set(-1e30f);
-  typename V::F kept = V::set(0), depth_kept = V::set(0);  ///< 1 - Tukey's cost over the highest one
+  typename V::F kept = V::set(0), depth_kept = V::set(0);                                      ///< see tukey_kept
   typename V::F x = V::set(0), y = V::set(0), xx = V::set(0), xy = V::set(0), yy = V::set(0);  ///< see Moments
   int seen = 0, occluded = 0, with_depth = 0;
 };
@@ -39,7 +39,8 @@ struct Tally {
 /// What `evaluate` computes of each point: residuals, columns of a block, or sums in the tally.
 enum class Wanted { Residuals, Columns, Costs, Moments };
 
-/// (1 - (e/c)^2)^3, 0 beyond c, of residuals e with the variances v: 1 - Tukey's cost over the highest one.
+/// (1 - e^2 / (c^2 v))^3, 0 beyond c, of residuals e with the variances v. Tukey's cost is 1 minus that, times the
+/// highest cost c^2 / 6.
 template <typename V>
 typename V::F tukey_kept(typename V::F e, typename V::F v, float c) {
   using F = typename V::F;
@@ -222,5 +223,16 @@ struct Tail {
     return {V::W, f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], excluded};
   }
 };
+
+/// `p` from point `i` on.
+template <typename V>
+Points advanced(Points p, int i) {
+  p.n -= i;
+  const float** const arrays[9] = {&p.x, &p.y, &p.q, &p.sigma_q, &p.intensity, &p.gu, &p.gv, &p.u, &p.v};
+  for (const float** a : arrays)
+    if (*a) *a += i;
+  if (p.excluded) p.excluded += i;
+  return p;
+}
 
 }  // namespace dot::kernel

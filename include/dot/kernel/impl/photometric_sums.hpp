@@ -15,17 +15,6 @@ namespace dot::kernel {
 
 constexpr int kBlocksInAChunk = 8;  // blocks whose sums are float
 
-/// `p` from point `i` on.
-template <typename V>
-Points advanced(Points p, int i) {
-  p.n -= i;
-  const float** const arrays[9] = {&p.x, &p.y, &p.q, &p.sigma_q, &p.intensity, &p.gu, &p.gv, &p.u, &p.v};
-  for (const float** a : arrays)
-    if (*a) *a += i;
-  if (p.excluded) p.excluded += i;
-  return p;
-}
-
 template <typename V, GradientSource kGradient, bool kDepth>
 void all_residuals(const Input& in, const Residuals& out) {
   Tally<V> tally;

@@ -36,11 +36,12 @@ void Labeller<Camera, Noise>::label(const List& far_to_near, const FramePtr& cur
     if (!t.outline.visible && t.motion.step.fit.ok()) t.motion.step.fit.reason = Reason::Hidden;
     labels_.paint(mask, static_cast<std::uint8_t>(t.belief.state));
   }
+  segmented_ids_.reserve(camera.width(), camera.height(), ids_.boxes().capacity());
   if (segmented) T_now_segmented_ = {};
 }
 
 /// A segmented frame becomes the frame to compare with at the next frame. Its ids are kept only if an object was not
-/// observed in the next one. So no memory is taken for them as long as all objects have masks.
+/// observed in the next one. So no second image is written as long as all objects have masks.
 template <typename Camera, typename Noise>
 void Labeller<Camera, Noise>::advance(const List& tracks, const FramePtr& cur, const CameraStep& camera_step,
                                       bool segmented) {

@@ -10,10 +10,10 @@
 namespace dot::kernel {
 
 /// What is kept of the highest costs, see tukey_kept. Of a chunk of points it is summed in float.
+template <typename V>
 struct Kept {
   double intensity = 0, depth = 0;
 
-  template <typename V>
   void take(Tally<V>& tally) {
     intensity += static_cast<double>(V::sum(tally.kept));
     depth += static_cast<double>(V::sum(tally.depth_kept));
@@ -22,7 +22,7 @@ struct Kept {
 };
 
 template <typename V, GradientSource kGradient, Wanted kWanted, bool kDepth, bool kQuads>
-void tally_all(const Input& in, Tally<V>& tally, Kept& kept) {
+void tally_all(const Input& in, Tally<V>& tally, Kept<V>& kept) {
   constexpr int kChunk = 64 * V::W;
   const int n = in.points.n, whole = n / V::W * V::W;
   for (int start = 0; start < whole; start += kChunk) {
@@ -39,7 +39,7 @@ void tally_all(const Input& in, Tally<V>& tally, Kept& kept) {
 }
 
 template <typename V, Wanted kWanted, bool kDepth>
-void tally_by(const Input& in, Tally<V>& tally, Kept& kept) {
+void tally_by(const Input& in, Tally<V>& tally, Kept<V>& kept) {
   if (in.level.width < 5 || in.level.height < 5) return;  // sampling needs a border
   switch (in.gradient) {
     case GradientSource::Image:
@@ -54,7 +54,7 @@ void tally_by(const Input& in, Tally<V>& tally, Kept& kept) {
 template <typename V>
 void costs(const Input& in, Costs& out) {
   Tally<V> tally;
-  Kept kept;
+  Kept<V> kept;
   in.depth ? tally_by<V, Wanted::Costs, true>(in, tally, kept) : tally_by<V, Wanted::Costs, false>(in, tally, kept);
   const auto most = static_cast<double>(in.noise.tukey * in.noise.tukey / 6);
   out.sum = most * (tally.seen - kept.intensity);
@@ -67,7 +67,7 @@ void costs(const Input& in, Costs& out) {
 template <typename V>
 void moments(const Input& in, Moments& out) {
   Tally<V> tally;
-  Kept kept;
+  Kept<V> kept;
   if (in.level.width >= 5 && in.level.height >= 5)
     in.level.quads ? tally_all<V, GradientSource::Image, Wanted::Moments, false, true>(in, tally, kept)
                    : tally_all<V, GradientSource::Image, Wanted::Moments, false, false>(in, tally, kept);

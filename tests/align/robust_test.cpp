@@ -57,19 +57,14 @@ TEST(Tukey, OfManyIsThatOfEach) {
   Random random(9);
   for (const std::size_t n : {0, 1, 3, 4, 5, 17, 255, 256, 257, 3001}) {
     dot::Buffer<float> r(n), extra(n), costs(n);
-    double with = 0, without = 0;
     const float s2 = 2.5f;
     for (std::size_t i = 0; i < n; ++i) {
       r[i] = i % 7 == 0 ? 0 : static_cast<float>(random.normal(6));
       extra[i] = static_cast<float>(random.uniform(0, 4));
-      with += static_cast<double>(tukey_cost(r[i] / std::sqrt(s2 + extra[i]), c));
-      without += static_cast<double>(tukey_cost(r[i] / std::sqrt(s2), c));
     }
     dot::tukey_costs(r.data(), extra.data(), n, s2, c, costs.data());
     for (std::size_t i = 0; i < n; ++i)
       EXPECT_NEAR(costs[i], tukey_cost(r[i] / std::sqrt(s2 + extra[i]), c), 1e-5) << i << " of " << n;
-    EXPECT_NEAR(dot::tukey_cost_sum(r.data(), extra.data(), n, s2, c), with, 1e-5 * (1 + with)) << n;
-    EXPECT_NEAR(dot::tukey_cost_sum(r.data(), nullptr, n, s2, c), without, 1e-5 * (1 + without)) << n;
   }
 }
 

@@ -106,6 +106,21 @@ TEST(ObjectFit, StaysWhereTheObjectIsKnownToBe) {
   }
 }
 
+// Of many starts the hopeless ones are left out, wherever the good one stands among them.
+TEST(ObjectFit, FindsTheGoodStartAmongMany) {
+  for (unsigned seed = 1; seed <= 5; ++seed)
+    for (std::size_t place = 0; place < 4; ++place) {
+      const MovingBox scene(seed);
+      std::vector<SE3d> starts;
+      for (const auto& v : {Vector3<double>(-6, 0, 0), Vector3<double>(0, 4, 2), Vector3<double>(5, -3, -4)})
+        starts.push_back(SE3d::translation(v * dt));
+      starts.insert(starts.begin() + static_cast<std::ptrdiff_t>(place), SE3d::translation(scene.velocity * dt * 1.05));
+      const ObjectFit fit = scene.fit({}, starts);
+      EXPECT_TRUE(fit.ok()) << seed << ", " << place << ": " << dot::to_string(fit.reason);
+      EXPECT_LT((fit.motion.velocity - scene.velocity).norm(), 0.1) << seed << ", " << place;
+    }
+}
+
 // The best minimum is refused, because it is too fast. The next one may be taken, but should decide nothing alone. One
 // that a known velocity leads to is no doubt.
 TEST(ObjectFit, IsDoubtfulIfABetterMinimumWasRefused) {

@@ -10,6 +10,7 @@
 
 #include "dot/abi.hpp"
 #include "dot/image/buffer.hpp"
+#include "dot/kernel/impl/tukey.hpp"
 #include "dot/kernel/lanes.hpp"
 #include "dot/statistics/median.hpp"
 
@@ -36,44 +37,16 @@ inline float tukey_cost(float e, float c) {
   return c * c / 6 * (1 - k * k * k);
 }
 
-/// 1 - (e/c)^2, 0 beyond c, of residuals e with the variances v; `to_c` is 1 / c^2.
-template <typename Lanes>
-typename Lanes::F tukey_inside(typename Lanes::F e, typename Lanes::F v, typename Lanes::F to_c) {
-  return Lanes::max(Lanes::set(0), Lanes::sub(Lanes::set(1), Lanes::mul(Lanes::div(Lanes::mul(e, e), v), to_c)));
-}
-
-/// Sum of Tukey's costs of `n` residuals r with the variances s2 + extra; `extra` may be null.
-inline double tukey_cost_sum(const float* r, const float* extra, std::size_t n, float s2, float c) {
-  using Lanes = PortableLanes;
-  using F = Lanes::F;
-  constexpr std::size_t W = Lanes::W, kFloatSums = 64;  // terms of each lane that are summed in float
-  const F zero = Lanes::set(0), sigma2 = Lanes::set(s2), to_c = Lanes::set(1 / (c * c));
-  double kept = 0;  // of 1 - cost / (c^2 / 6)
-  std::size_t i = 0;
-  while (i + W <= n) {
-    F sum = zero;
-    for (const std::size_t end = std::min(n - n % W, i + kFloatSums * W); i < end; i += W) {
-      const F e = Lanes::load(r + i), v = extra ? Lanes::add(sigma2, Lanes::load(extra + i)) : sigma2;
-      const F k = tukey_inside<Lanes>(e, v, to_c);
-      sum = Lanes::fma(Lanes::mul(k, k), k, sum);
-    }
-    kept += static_cast<double>(Lanes::sum(sum));
-  }
-  double sum = static_cast<double>(c * c / 6) * (static_cast<double>(i) - kept);
-  for (; i < n; ++i) sum += static_cast<double>(tukey_cost(r[i] / std::sqrt(s2 + (extra ? extra[i] : 0)), c));
-  return sum;
-}
-
-/// Tukey's cost of each of `n` residuals, as above.
+/// Tukey's cost of each of `n` residuals r with the variances s2 + extra.
 inline void tukey_costs(const float* r, const float* extra, std::size_t n, float s2, float c, float* costs) {
   using Lanes = PortableLanes;
-  using F = Lanes::F;
   constexpr std::size_t W = Lanes::W;
-  const F one = Lanes::set(1), sigma2 = Lanes::set(s2), to_c = Lanes::set(1 / (c * c)), most = Lanes::set(c * c / 6);
+  const Lanes::F one = Lanes::set(1), sigma2 = Lanes::set(s2), most = Lanes::set(c * c / 6);
   std::size_t i = 0;
   for (; i + W <= n; i += W) {
-    const F k = tukey_inside<Lanes>(Lanes::load(r + i), Lanes::add(sigma2, Lanes::load(extra + i)), to_c);
-    Lanes::store(costs + i, Lanes::mul(most, Lanes::sub(one, Lanes::mul(Lanes::mul(k, k), k))));
+    const Lanes::F v = Lanes::add(sigma2, Lanes::load(extra + i));
+    const Lanes::F kept = kernel::tukey_kept<Lanes>(Lanes::load(r + i), v, c);
+    Lanes::store(costs + i, Lanes::mul(most, Lanes::sub(one, kept)));
   }
   for (; i < n; ++i) costs[i] = tukey_cost(r[i] / std::sqrt(s2 + extra[i]), c);
 }

@@ -39,17 +39,17 @@ struct CameraSearch {
   void find(const AlignProblem<Camera>& problem, double depth, double sigma, Aligner& aligner,
             MinimaWorkspace& workspace) const {
     TurnSearch{radians, before}.find(problem.image, problem.camera, aligner, workspace);
+    workspace.quads.take(problem.image, level_of(std::min(problem.points.levels, problem.image.size())));
     find_shifts(problem, depth, sigma, kThorough, aligner, workspace);
   }
 
-  /// The same for other points, with the turns that `find` found.
+  /// The same for other points in the same image, with the turns and the quads that `find` left in the workspace.
   template <typename Camera, typename Aligner>
   void find_shifts(const AlignProblem<Camera>& problem, double depth, double sigma, const Effort& effort,
                    Aligner& aligner, MinimaWorkspace& workspace) const {
     const int level = level_of(std::min(problem.points.levels, problem.image.size()));
     auto& tried = workspace.tried;
     tried.clear();
-    workspace.quads.take(problem.image, level);
     AlignProblem<Camera> all = problem, scanned = part_of(problem, kScanned, workspace);
     all.quads = scanned.quads = &workspace.quads;
     for (const auto& turn : workspace.turns) {

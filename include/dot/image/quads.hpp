@@ -17,7 +17,7 @@ struct Quads {
   Image<std::array<std::uint8_t, 4>> pixels;  ///< (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)
   int level = -1;                             ///< of the pyramid
 
-  /// Copies a level. Beyond the border, the pixels at the border are repeated.
+  /// Copies a level. Beyond the border, the pixels at the border are repeated. @pre The pyramid has that level.
   void take(const Pyramid& image, int from) {
     const Image<std::uint8_t>& grey = image.levels[static_cast<std::size_t>(from)];
     const int width = grey.width(), height = grey.height();

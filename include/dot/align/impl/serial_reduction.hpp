@@ -26,14 +26,15 @@ kernel::Costs SerialReduction::costs(const PointSet& points, int level, const Ca
                                      const Image<std::uint8_t>& image, const Quads*, const AlignState& state,
                                      const ResidualNoise& noise, const DepthTerm& depth, PointResiduals& scratch) {
   residuals(points, level, camera, image, state, noise, depth, scratch);
+  const float s2 = noise.sigma_intensity * noise.sigma_intensity;
   kernel::Costs sums;
-  // A point that is not seen has residual zero, which costs nothing.
-  sums.sum = tukey_cost_sum(scratch.r.data(), scratch.extra.data(), scratch.size(),
-                            noise.sigma_intensity * noise.sigma_intensity, noise.tukey);
-  if (depth.inverse_depth.data && depth.weight > 0)
-    sums.sum += static_cast<double>(depth.weight) *
-                tukey_cost_sum(scratch.r_depth.data(), nullptr, scratch.size(), depth.sigma * depth.sigma, noise.tukey);
-  for (std::size_t i = 0; i < scratch.size(); ++i) sums.seen += scratch.seen(i);
+  for (std::size_t i = 0; i < scratch.size(); ++i) {
+    if (!scratch.seen(i)) continue;
+    ++sums.seen;
+    sums.sum += static_cast<double>(tukey_cost(scratch.r[i] / std::sqrt(s2 + scratch.extra[i]), noise.tukey));
+    if (scratch.has_depth(i) && depth.weight > 0)
+      sums.sum += static_cast<double>(depth.weight * tukey_cost(scratch.r_depth[i] / depth.sigma, noise.tukey));
+  }
   return sums;
 }
 

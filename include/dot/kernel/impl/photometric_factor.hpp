@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dot/kernel/impl/patches.hpp"
+#include "dot/kernel/impl/tukey.hpp"
 
 /// @file
 /// Residuals and Jacobians of blocks of points over a vector of V::W lanes, see impl/kernels_of.hpp.
@@ -38,16 +39,6 @@ struct Tally {
 
 /// What `evaluate` computes of each point: residuals, columns of a block, or sums in the tally.
 enum class Wanted { Residuals, Columns, Costs, Moments };
-
-/// (1 - e^2 / (c^2 v))^3, 0 beyond c, of residuals e with the variances v. Tukey's cost is 1 minus that, times the
-/// highest cost c^2 / 6.
-template <typename V>
-typename V::F tukey_kept(typename V::F e, typename V::F v, float c) {
-  using F = typename V::F;
-  const F share = V::div(V::mul(V::mul(e, e), V::set(1 / (c * c))), v);
-  const F inside = V::max(V::sub(V::set(1), share), V::set(0));
-  return V::mul(V::mul(inside, inside), inside);
-}
 
 /// Computes residuals of the first `n` points of `p`, a multiple of the lanes. Writes them to `out`, or as columns of
 /// `block` from index `at` on, or adds to `tally`. @tparam kQuads whether `in.level.quads` are read; only for

@@ -180,4 +180,21 @@ TEST(FrameStore, UsesItsMemoryAgain) {
   EXPECT_EQ(store.capacity(), 2u);
 }
 
+TEST(FrameStore, PreparesTheMemoryOfTheSecondFrameOnce) {
+  FrameStore store;
+  store.prepare_second();
+  EXPECT_EQ(store.capacity(), 0u);
+  const FramePtr first = add(store, 1);
+  store.prepare_second();
+  EXPECT_EQ(store.capacity(), 2u);
+  const FramePtr second = add(store, 2);
+  EXPECT_EQ(store.capacity(), 2u);
+  EXPECT_EQ(first->id, 1u);
+  EXPECT_EQ(first->pyramid.levels[0](5, 5), 1);
+  EXPECT_EQ(second->id, 2u);
+  EXPECT_EQ(second->pyramid.levels[0](5, 5), 2);
+  store.prepare_second();
+  EXPECT_EQ(store.capacity(), 2u);
+}
+
 }  // namespace

@@ -63,7 +63,9 @@ TEST(PaintedImage, ReservesMemoryOnce) {
   PaintedImage<std::uint8_t> painted;
   painted.reserve(20, 10, 4);
   EXPECT_GE(painted.boxes().capacity(), 4u);
-  painted.image().fill(7);  // whatever the memory held
+  ASSERT_EQ(painted.image().width(), 20);
+  ASSERT_EQ(painted.image().height(), 10);
+  EXPECT_EQ(count(painted), 0);
   painted.clear(20, 10);
   EXPECT_EQ(count(painted), 0);
   painted.paint(box_of(2, 3, 5, 4), 1);

@@ -58,6 +58,12 @@ class FrameStore {
     return newest();
   }
 
+  /// Writes to the memory of a second frame, if there is one frame. The second frame of a sequence has the search of
+  /// all motions; the first has nothing to align, so it takes the page faults of new memory.
+  void prepare_second() {
+    if (frames_.size() == 1) frames_.insert(frames_.begin(), std::make_shared<FrameData>(*frames_.back()));
+  }
+
   /// Number of allocated frames.
   std::size_t capacity() const { return frames_.size(); }
 

@@ -34,12 +34,10 @@ class PaintedImage {
     boxes_.clear();
   }
 
-  /// Takes the memory for an image of that size and for so many boxes, without writing to it.
+  /// Makes an image of another size one of that size, all zero. Takes the memory for so many boxes.
   void reserve(int width, int height, std::size_t boxes) {
     boxes_.reserve(boxes);
-    if (width == image_.width() && height == image_.height()) return;
-    is_unknown_ = true;
-    image_.resize(width, height);
+    if (width != image_.width() || height != image_.height()) clear(width, height);
   }
 
   /// Sets the pixels of a mask, which is inside the image.

@@ -132,6 +132,7 @@ CameraStep Dot<Camera, Classifier, Noise, Aligner>::track_camera(const Frame& fr
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::prepare_next(const CameraStep& camera_step, bool segmented) {
   remember(camera_step);
+  frames_.prepare_second();
   const double step = previous_ ? current_->timestamp - previous_->timestamp : 0;
   UnusedShares shares;
   shares.masked = result_.too_little_depth ? labeller_.labels().share() : 0;

@@ -69,6 +69,33 @@ TEST(Tracks, CarryOutlinesWhereNoMaskComes) {
   }
 }
 
+/// What has left the image is carried on. It is searched for again only where a mask without a track may show it.
+TEST(Tracks, AreNotSearchedForWhileOutOfSight) {
+  constexpr std::uint32_t leaving = 7;
+  StageStreet street;
+  street.film.add(leaving, straight({0, 0, 6}, {14, 0, 0}));
+  while (street.film.index() < 0 || !street.mask(leaving).empty()) {
+    ASSERT_LT(street.film.index(), 9);
+    street.next(street.film.index() < 3);
+  }
+  const Track* t = street.find(leaving);
+  ASSERT_TRUE(t && t->belief.has_velocity() && t->outline.warped.mask.empty());
+  EXPECT_FALSE(t->motion.references.empty());
+  EXPECT_EQ(t->motion.step.fit.reason, Reason::Hidden);
+  EXPECT_LT((t->motion.step.T_o.t - street.film.T_o(leaving).t).norm(), 0.1);
+  EXPECT_EQ(t->belief.state, State::Moving);
+
+  street.advance();
+  street.observe();
+  Observation& other = street.observations.add();
+  dot::fill_mask(
+      {5, 5, 30, 30}, [](int, int) { return true; }, other.mask);
+  other.centre = {-3, -1, 6};
+  other.instance_id = 77;
+  street.play(true);
+  EXPECT_EQ(street.find(leaving)->motion.step.fit.reason, Reason::LowCorrelation) << "it was searched for";
+}
+
 TEST(Tracks, WithoutACameraNothingIsComparedAndNothingIsNewest) {
   StageStreet street;
   street.next(true);

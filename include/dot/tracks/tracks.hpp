@@ -119,6 +119,7 @@ class Tracks {
   const List& that(Condition&& condition);
   void follow(Track& t, const Interval& interval, const Observations& observations, const Setup& setup,
               Worker& worker) const;
+  static bool is_out_of_sight(const Track& t, const Observations& observations);
   void choose_first_fit(Track& t, const Interval& interval, const Setup& setup, Worker& worker) const;
   static bool refuses(ObjectMotion& motion, const ObjectFit& first, const Interval& interval, const Setup& setup);
   void decide(Track& t, const FrameData& cur, const Matrix3<double>& R_cur_fit, double seconds, double dt,

@@ -152,6 +152,17 @@ bool Tracks<Camera, Classifier, Noise, Aligner>::may_touch(const Track& a, const
   return false;
 }
 
+/// Whether an object is predicted to be hidden or outside the image, and no mask shows it or may show it. To search it
+/// in all that is visible would take longer than to follow one that is in view, and find something else.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+bool Tracks<Camera, Classifier, Noise, Aligner>::is_out_of_sight(const Track& t, const Observations& observations) {
+  const auto may_show_it = [&](const Observation& o) {
+    return !o.assigned && o.discovered == t.identity.discovered;
+  };
+  return t.belief.has_velocity() && !t.observed && t.outline.warped.mask.empty() &&
+         std::none_of(observations.list.begin(), observations.list.end(), may_show_it);
+}
+
 /// Follows one object: estimates its step, updates its belief and moves all of it into the current frame. Outlines of
 /// static objects are moved by T_c alone, so that they do not drift with the noise of the fits.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -162,6 +173,10 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval
   ObjectStep& step = t.motion.step;
   if (t.is_rejected_candidate() && camera.known()) {
     step = {};
+    step.fit.reason = Reason::Hidden;
+  } else if (is_out_of_sight(t, observations) && camera.known()) {
+    step = {};
+    step.T_o = step.T_o_outline = t.belief.expected_motion(camera.seconds);
     step.fit.reason = Reason::Hidden;
   } else {
     const bool discovered = t.identity.discovered;

@@ -20,6 +20,8 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
   grain         noise of 25 grey values
   dark          a quarter of the brightness, noise of 1.5 grey values
   shake         a camera that is jolted: each frame is turned by some 2 degrees about each axis
+  rolling       a shaken hand that turns by up to 1.5 degrees from frame to frame, and a rolling shutter that reads the
+                rows in .6 of the time between frames
   bonnet        a bonnet with texture, 1.2 m before the camera: the lowest fifth of the image, at its sides a tenth
   caption       two lines of writing in the image
   near          no depth beyond 20 m
@@ -137,6 +139,27 @@ def turned(image, folder, R, intrinsics):
         v, u = np.indices(image.shape)
         values *= ((u - cx) / fx * R[2, 0] + (v - cy) / fy * R[2, 1] + R[2, 2]).astype(np.float32)
     return np.round(cv2.warpPerspective(values, H, size, flags=cv2.INTER_NEAREST)).astype(image.dtype)
+
+
+def hand(time):
+    """Rotation from a camera to one in a shaken hand, at a time in frames. The first frame, the world, stays."""
+    turn = np.radians(3.6) * np.array([np.sin(2 * np.pi * time / 15), 0.8 * np.sin(2 * np.pi * time / 20), 0])
+    return cv2.Rodrigues(turn)[0]
+
+
+def rolled(image, folder, frame, intrinsics):
+    """The image of a camera in that hand, whose shutter reads row after row. The frame's time is that of the middle."""
+    fx, fy, cx, cy = intrinsics[:4]
+    v, u = np.indices(image.shape[:2])
+    R = np.array([hand(frame + 0.6 * ((row + 0.5) / len(image) - 0.5)) for row in range(len(image))])
+    rays = np.stack([(u - cx) / fx, (v - cy) / fy, np.ones_like(u, float)], -1)
+    old = np.einsum("vkj,vuk->vuj", R, rays)  # R' times the ray
+    x = (fx * old[..., 0] / old[..., 2] + cx).astype(np.float32)
+    y = (fy * old[..., 1] / old[..., 2] + cy).astype(np.float32)
+    if folder == "rgb":
+        return cv2.remap(image, x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REFLECT)
+    values = cv2.remap(image.astype(np.float32), x, y, cv2.INTER_NEAREST)
+    return np.round(values / old[..., 2] if folder.startswith("depth") else values).astype(image.dtype)
 
 
 def shaken(pose, R):
@@ -265,6 +288,8 @@ def make(kind, out, sequence):
                     image = with_bands(image, int(stem))
                 elif kind == "shake":
                     image = turned(image, name, jolt(int(stem)), intrinsics)
+                elif kind == "rolling":
+                    image = rolled(image, name, int(stem), intrinsics)
                 else:
                     image = changed(image, name, kind, random, intrinsics[0] * intrinsics[6])
                 cv2.imwrite(f"{target}.png", np.ascontiguousarray(image), [cv2.IMWRITE_PNG_COMPRESSION, 1])
@@ -290,13 +315,15 @@ def make(kind, out, sequence):
                 pose = mirrored(v[before:]) if kind == "mirror" else v[before:]
                 if kind == "shake" and not before:
                     pose = shaken(pose, jolt(frame))
+                if kind == "rolling" and not before:
+                    pose = shaken(pose, hand(frame))
                 poses.append((number[frame], ([str(number[frame])] + v[1:before] if before else []) + pose))
         with open(f"{folder}/{name}", "w") as g:
             g.writelines(" ".join(words) + "\n" for _, words in sorted(poses, key=lambda pose: pose[0]))
 
 
 def main():
-    kinds = "half third mirror crop slow reverse late skip1 skip2 skip3 bands flicker noise grain dark shake"
+    kinds = "half third mirror crop slow reverse late skip1 skip2 skip3 bands flicker noise grain dark shake rolling"
     kinds += " bonnet caption near bias lidar64 lidar32 lidar16 holes50 edges"
     if len(sys.argv) < 4 or sys.argv[1] not in kinds.split():
         sys.exit(__doc__)

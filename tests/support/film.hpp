@@ -60,6 +60,7 @@ class Film {
   Degradation degradation;  ///< its seed is advanced with each frame
   double interval = 0.1;    ///< seconds between frames
   double epoch = 1.7e9;     ///< seconds, timestamp of frame 0: a Unix clock, as most hosts have
+  double readout = 0;  ///< seconds from the first to the last row of a rolling shutter; 0: global. Without `direct`
 
   std::function<void(int, Scene&)> direct;     ///< changes the scene of a frame before it is rendered
   std::function<void(int, Rendering&)> spoil;  ///< changes the pixels of a frame
@@ -75,9 +76,10 @@ class Film {
   /// Renders the next frame. Masks are given as an id image; `edit` may take them away.
   const Frame& advance() {
     ++index_;
-    place(index_);
+    place(time(index_));
     if (direct) direct(index_, scene_);
     truth_ = scene_.render(camera_, T_world_camera());
+    if (readout > 0) roll();
     Degradation d = degradation;
     d.seed += static_cast<unsigned>(1000 * index_);
     seen_ = degraded(truth_, d);
@@ -119,9 +121,26 @@ class Film {
 
  private:
   double time(int index) const { return interval * index; }
-  void place(int index) {
+  void place(double t) {
     for (Body& body : scene_.bodies)
-      if (body.id != 0) body.T_world_body = paths_.at(body.id)(time(index));
+      if (body.id != 0) body.T_world_body = paths_.at(body.id)(t);
+  }
+  /// Renders the rows anew, some at a time, as a rolling shutter sees them. The frame's time is that of the middle row.
+  void roll() {
+    constexpr int kTogether = 12;
+    const int height = truth_.grey.height();
+    for (int y = 0; y < height; y += kTogether) {
+      const double t = time(index_) + ((y + 0.5 * kTogether) / height - 0.5) * readout;
+      place(t);
+      const Rendering rows = scene_.render(camera_, camera_path(t));
+      for (int v = y; v < std::min(height, y + kTogether); ++v) {
+        std::copy_n(rows.intensity.row(v), rows.intensity.width(), truth_.intensity.row(v));
+        std::copy_n(rows.depth.row(v), rows.depth.width(), truth_.depth.row(v));
+        std::copy_n(rows.ids.row(v), rows.ids.width(), truth_.ids.row(v));
+      }
+    }
+    truth_.round();
+    place(time(index_));
   }
 
   Camera camera_;

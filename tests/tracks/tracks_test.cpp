@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/stage_street.hpp"
 
 // All objects, without a pipeline about them.
@@ -94,6 +96,28 @@ TEST(Tracks, AreNotSearchedForWhileOutOfSight) {
   other.instance_id = 77;
   street.play(true);
   EXPECT_EQ(street.find(leaving)->motion.step.fit.reason, Reason::LowCorrelation) << "it was searched for";
+}
+
+/// A thin thing stops while no mask comes. Its prediction lies on the wall beside it, which is farther.
+TEST(Tracks, WhatStopsUnseenIsFoundAgain) {
+  constexpr std::uint32_t thin = 7;
+  StageStreet street;
+  street.film.interval = 0.2;
+  street.film.camera_path = straight({0, 0, 0});
+  const auto x = [](double t) {
+    const double braking = std::clamp(t - 0.8, 0.0, 0.2);
+    return -1.5 + 1.5 * std::min(t, 0.8) + 1.5 * braking - 3.75 * braking * braking;
+  };
+  street.film.add(box(thin, {0.3, 0.9, 0.3}, 7000, 0.25, 1.2),
+                  [x](double t) { return dot::SE3d::translation(Vector3<double>(x(t), 0.5, 5)); });
+  while (street.film.index() < 8) {
+    street.next(street.film.index() < 4);
+    const Track* t = street.find(thin);
+    ASSERT_TRUE(t) << street.film.index();
+    EXPECT_NE(t->motion.step.fit.reason, Reason::Hidden) << street.film.index();
+  }
+  EXPECT_TRUE(street.find(thin)->motion.step.fit.ok());
+  EXPECT_LT(street.find(thin)->belief.velocity_now.norm(), 0.3);
 }
 
 TEST(Tracks, WithoutACameraNothingIsComparedAndNothingIsNewest) {

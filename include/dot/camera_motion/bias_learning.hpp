@@ -6,8 +6,8 @@
 #include <cstddef>
 
 #include "dot/align/aligner.hpp"
-#include "dot/align/photometric_factor.hpp"
 #include "dot/camera/depth_bias.hpp"
+#include "dot/camera_motion/residual_sums.hpp"
 #include "dot/statistics/chi2.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -49,45 +49,22 @@ class DepthBiasLearning {
     information_ *= keep;
     weighted_ *= keep;
     if (!(prior > 0)) return;
-    Sums sums = Sums::Zero();
+    ResidualSums<kTerms> sums;
     const double to_s = 2.0 / image.width(), to_t = 2.0 / image.height();
-    const Matrix3<float> R = a.state.T.R.template cast<float>();
-    const Vector3<float> t = a.state.T.t.template cast<float>();
-    const PhotometricModel<double> factor(a.state, settings.gradient_noise);
-    const float u_max = static_cast<float>(image.width() - 3), v_max = static_cast<float>(image.height() - 3);
-    for (std::size_t i = 0; i < points.u.size(); ++i) {
-      const float q = points.q[i];
-      const Vector3<float> X = R * Vector3<float>(points.x[i], points.y[i], 1) + q * t;
-      if (X.z() < 1e-3f) continue;
-      Eigen::Matrix<float, 2, 3> J_pi;
-      const Vector2<float> pixel = camera.template project<float>(X, &J_pi);
-      if (!(pixel.x() >= 1 && pixel.y() >= 1 && pixel.x() < u_max && pixel.y() < v_max)) continue;
-      const Sample s = sample(image, pixel.x(), pixel.y());
-      const double intensity = static_cast<double>(points.intensity[0][i]);
-      const auto [r, dr_dX, dr_dq, extra] = factor(s, J_pi, intensity, static_cast<double>(points.sigma_q[i]));
-      const double s2 = sq(a.sigma_intensity) + extra;
-      const double fits = 1 - r * r / (s2 * sq(settings.tukey));
-      if (fits <= 0) continue;
-      Row J;
-      J << static_cast<double>(q) * dr_dX, X.template cast<double>().cross(dr_dX), -intensity, -1,
-          -dr_dq * DepthBias::terms(to_s * static_cast<double>(points.u[i]) - 1,
-                                    to_t * static_cast<double>(points.v[i]) - 1),
-          r;
-      sums.noalias() += (sq(fits) / s2 * J) * J.transpose();
-    }
+    visit_fitting(points, 1, image, camera, a, settings, [&](const FittingPoint& p) {
+      sums.add(p, -p.dr_dq * DepthBias::terms(to_s * static_cast<double>(points.u[p.i]) - 1,
+                                              to_t * static_cast<double>(points.v[p.i]) - 1));
+    });
     add(sums, points.bias);
   }
 
  private:
-  static constexpr int kPose = 8, kTerms = DepthBias::kTerms;
+  static constexpr int kTerms = DepthBias::kTerms;
   using Terms = DepthBias::Terms;
   using Information = Eigen::Matrix<double, kTerms, kTerms>;
-  using Sums = Eigen::Matrix<double, kPose + kTerms + 1, kPose + kTerms + 1>;  ///< of [J r]' [J r]
-  using Row = Eigen::Matrix<double, kPose + kTerms + 1, 1>;
-  static double sq(double x) { return x * x; }
 
-  /// Adds a frame's information about the bias, with the pose eliminated.
-  void add(const Sums& sums, const DepthBias& taken);
+  /// Adds a frame's information about the bias.
+  void add(const ResidualSums<kTerms>& sums, const DepthBias& taken);
 
   Information information_ = Information::Zero();  ///< of the coefficients, of all frames
   Terms weighted_ = Terms::Zero();                 ///< sum over the frames of information times estimate

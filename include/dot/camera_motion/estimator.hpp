@@ -13,6 +13,7 @@
 #include "dot/align/minima.hpp"
 #include "dot/align/settings.hpp"
 #include "dot/camera_motion/motion_choice.hpp"
+#include "dot/camera_motion/rolling_shutter.hpp"
 #include "dot/camera_motion/search.hpp"
 #include "dot/camera_motion/second_motion.hpp"
 #include "dot/statistics/median.hpp"
@@ -129,6 +130,14 @@ struct CameraMotionEstimator {
            a.inliers >= settings.min_inliers * a.seen &&
            (known ? a.phi >= settings.min_phi
                   : a.phi >= settings.min_phi_unexpected && a.margin >= settings.min_margin);
+  }
+
+  /// Covariance of the left twist of a motion that was accepted, by the points that it was aligned with.
+  template <typename Camera, typename Aligner>
+  Matrix6<double> covariance(const AlignProblem<Camera>& problem, const Alignment& a, const Aligner& aligner) const {
+    const RollingShutter rolling = RollingShutter::measure(problem.points, problem.image.levels[0], problem.camera, a,
+                                                           aligner.settings, settings.covariance_scale);
+    return settings.covariance_scale * a.covariance.topLeftCorner<6, 6>() + rolling.covariance;
   }
 
   /// Metres by which the motion of an interval may differ from that at constant velocity.

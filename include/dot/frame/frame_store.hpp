@@ -58,8 +58,8 @@ class FrameStore {
     return newest();
   }
 
-  /// Writes to the memory of a second frame, if there is one frame. The second frame of a sequence has the search of
-  /// all motions; the first has nothing to align, so it takes the page faults of new memory.
+  /// If there is one frame, allocates a second one and writes to its memory. In the second frame of a sequence all
+  /// motions are searched, so it is the slowest. The first aligns nothing, and takes the page faults of new memory.
   void prepare_second() {
     if (frames_.size() == 1) frames_.insert(frames_.begin(), std::make_shared<FrameData>(*frames_.back()));
   }

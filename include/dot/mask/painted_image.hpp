@@ -34,7 +34,7 @@ class PaintedImage {
     boxes_.clear();
   }
 
-  /// Makes an image of another size one of that size, all zero. Takes the memory for so many boxes.
+  /// If the image has another size, gives it this size and clears it. Takes the memory for so many boxes.
   void reserve(int width, int height, std::size_t boxes) {
     boxes_.reserve(boxes);
     if (width != image_.width() || height != image_.height()) clear(width, height);

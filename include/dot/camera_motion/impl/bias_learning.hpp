@@ -19,16 +19,10 @@ DOT_INLINE DepthBias DepthBiasLearning::bias() const {
   return out;
 }
 
-DOT_INLINE void DepthBiasLearning::add(const Sums& sums, const DepthBias& taken) {
-  const Eigen::Matrix<double, kPose, 1> g_pose = sums.col(kPose + kTerms).head<kPose>();
-  const Terms g = sums.col(kPose + kTerms).segment<kTerms>(kPose);
-  Matrix8 pose = sums.topLeftCorner<kPose, kPose>();
-  pose.diagonal() += 1e-7 * pose.diagonal() + Vector8::Constant(1e-9);
-  const Eigen::LDLT<Matrix8> solver(pose);
-  const Eigen::Matrix<double, kPose, kTerms> mixed = sums.block<kPose, kTerms>(0, kPose);
-  const Eigen::Matrix<double, kTerms, kPose> eliminate = solver.solve(mixed).transpose();
-  const Information information = (sums.block<kTerms, kTerms>(kPose, kPose) - eliminate * mixed) / kCorrelated;
-  const Terms step = (eliminate * g_pose - g) / kCorrelated;
+DOT_INLINE void DepthBiasLearning::add(const ResidualSums<kTerms>& sums, const DepthBias& taken) {
+  const auto marginal = sums.marginal();
+  const Information information = marginal.information / kCorrelated;
+  const Terms step = marginal.weighted / kCorrelated;
   if (!information.allFinite() || !step.allFinite()) return;
   information_ += information;
   weighted_ += step + information * taken.coefficients;

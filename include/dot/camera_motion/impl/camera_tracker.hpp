@@ -117,7 +117,8 @@ bool CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
   if (!ok) return true;
   correlation_.add(step.alignment.phi);
   step.T_cur_prev = step.alignment.state.T * T_prev_points.inverse();
-  step.covariance = s.covariance_scale * step.alignment.covariance.template topLeftCorner<6, 6>();
+  step.covariance =
+      estimator.covariance(AlignProblem<Camera>{background_.points, cur.pyramid, camera}, step.alignment, aligner);
   return searched;
 }
 

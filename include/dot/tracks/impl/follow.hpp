@@ -152,15 +152,18 @@ bool Tracks<Camera, Classifier, Noise, Aligner>::may_touch(const Track& a, const
   return false;
 }
 
-/// Whether an object is predicted to be hidden or outside the image, and no mask shows it or may show it. To search it
-/// in all that is visible would take longer than to follow one that is in view, and find something else.
+/// Whether an object is predicted to be hidden or outside the image, and no mask without a track may show it. A search
+/// for it would take longer than to follow an object in view, and would find something else. An outline that is empty
+/// because farther depth was measured there is not out of sight: the object may have stopped.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 bool Tracks<Camera, Classifier, Noise, Aligner>::is_out_of_sight(const Track& t, const Observations& observations) {
-  const auto may_show_it = [&](const Observation& o) {
-    return !o.assigned && o.discovered == t.identity.discovered;
-  };
-  return t.belief.has_velocity() && !t.observed && t.outline.warped.mask.empty() &&
-         std::none_of(observations.list.begin(), observations.list.end(), may_show_it);
+  const WarpedMask& predicted = t.outline.warped;
+  const bool is_hidden_or_outside = predicted.mask.empty() && 2 * predicted.occluded_area >= predicted.inside_area;
+  const bool comes_out = t.outline.visible && !t.outline.hidden_part.mask.empty();
+  if (t.observed || !is_hidden_or_outside || comes_out) return false;
+  if (!t.followed || !t.belief.has_velocity() || t.motion.references.empty()) return false;
+  return std::none_of(observations.list.begin(), observations.list.end(),
+                      [&](const Observation& o) { return !o.assigned && o.discovered == t.identity.discovered; });
 }
 
 /// Follows one object: estimates its step, updates its belief and moves all of it into the current frame. Outlines of

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#include "dot/camera_motion/rolling_shutter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include "dot/camera/pinhole.hpp"
+#include "dot/tracker.hpp"
+#include "support/exact_points.hpp"
+#include "support/film.hpp"
+
+namespace {
+
+using dot::Alignment;
+using dot::AlignProblem;
+using dot::AlignSettings;
+using dot::DirectAligner;
+using dot::Matrix6;
+using dot::Pinhole;
+using dot::PointSet;
+using dot::Pyramid;
+using dot::RollingShutter;
+using dot::SE3d;
+using dot::Vector3;
+using dot::Vector6;
+using namespace dot::test;
+
+constexpr double kScale = 4;  ///< CameraSettings::covariance_scale
+
+/// A camera that goes ahead, and whose turn begins at `turning` and changes by `change`, rad/s and rad/s^2.
+Path turning_path(const Vector3<double>& turning, const Vector3<double>& change) {
+  return [=](double t) {
+    return SE3d{dot::so3::exp(Vector3<double>(turning * t + 0.5 * t * t * change)), Vector3<double>(0.1 * t, 0, t)};
+  };
+}
+
+/// The motion from one frame to the next, aligned and measured.
+struct Step {
+  Alignment alignment;
+  RollingShutter rolling;
+  SE3d truth;
+
+  Step(const Path& path, double readout, double noise, unsigned seed = 1) {
+    Film<> film;
+    film.camera_path = path;
+    film.readout = readout;
+    film.degradation.noise = noise;
+    film.degradation.seed = seed;
+    const Pinhole camera(small_camera());
+    Pyramid before, image;
+    film.advance();
+    before.build(std::as_const(film.seen().grey).view(), 3);
+    const PointSet points = exact_points(film.seen(), camera, before, 5, [](int, int) { return true; });
+    film.advance();
+    image.build(std::as_const(film.seen().grey).view(), 3);
+    truth = film.T_c();
+    DirectAligner<> aligner;
+    const AlignProblem<Pinhole> problem{points, image, camera};
+    alignment = aligner.align(problem, {truth}, 1);
+    aligner.reject_outliers_and_refit(problem, alignment);
+    rolling = RollingShutter::measure(points, image.levels[0], camera, alignment, aligner.settings, kScale);
+  }
+
+  Matrix6<double> sigma() const { return kScale * alignment.covariance.topLeftCorner<6, 6>(); }
+  /// Squared error of the motion, in sigmas. 16.8 is the 99 % quantile.
+  double error(const Matrix6<double>& covariance) const {
+    const Vector6<double> e = (alignment.state.T * truth.inverse()).log();
+    return e.dot(covariance.ldlt().solve(e));
+  }
+};
+
+TEST(RollingShutter, MeasuresTheTurnOfTheRowsAndCoversItsPartInTheMotion) {
+  constexpr double readout = 0.02, interval = 0.1;
+  for (const Vector3<double>& change :
+       {Vector3<double>(8, 0, 0), Vector3<double>(0, -8, 0), Vector3<double>(-5, 6, 0), Vector3<double>(0, 0, 12)}) {
+    SCOPED_TRACE(change.transpose());
+    const Step step(turning_path({0.1, 0.05, 0}, change), readout, 2);
+    const Vector3<double> y = -readout * interval * change;
+    EXPECT_LT((step.rolling.turn - y).norm(), 0.2 * y.norm()) << step.rolling.turn.transpose();
+    EXPECT_GT(step.error(step.sigma()), 5 * 16.8) << "one motion for all rows is wrong";
+    EXPECT_LT(step.error(step.sigma() + step.rolling.covariance), 16.8);
+  }
+}
+
+TEST(RollingShutter, IsNotSeenInAGlobalOne) {
+  for (unsigned seed = 1; seed <= 8; ++seed)
+    for (const double noise : {1.0, 4.0}) {
+      const Step step(turning_path({0.1, 0.05, 0}, {8, -4, 3}), 0, noise, seed);
+      EXPECT_TRUE(step.rolling.turn.isZero(0)) << step.rolling.turn.transpose();
+      EXPECT_TRUE(step.rolling.covariance.isZero(0));
+    }
+}
+
+TEST(RollingShutter, DoesNotMatterAtAConstantTurn) {
+  const Step step(turning_path({0.3, -0.4, 0.2}, {0, 0, 0}), 0.02, 2);
+  EXPECT_TRUE(step.rolling.turn.isZero(0)) << step.rolling.turn.transpose();
+}
+
+TEST(RollingShutter, NeedsPoints) {
+  const Pinhole camera(small_camera());
+  const dot::Image<std::uint8_t> image(camera.width(), camera.height());
+  const RollingShutter none = RollingShutter::measure(PointSet{}, image, camera, Alignment{}, AlignSettings{}, kScale);
+  EXPECT_TRUE(none.turn.isZero(0));
+  EXPECT_TRUE(none.covariance.isZero(0));
+}
+
+}  // namespace

@@ -87,6 +87,14 @@ TEST(RollingShutter, MeasuresTheTurnOfTheRowsAndCoversItsPartInTheMotion) {
   }
 }
 
+// A camera that rolls about its axis turns the upper and the lower rows in opposite ways, so T_c takes up nothing of
+// it.
+TEST(RollingShutter, TurnsRowsAboutTheMiddleOne) {
+  const Step step(turning_path({0.1, 0.05, 0}, {0, 0, 12}), 0.02, 2);
+  const double turn = std::sqrt(step.rolling.covariance.bottomRightCorner<3, 3>().trace());
+  EXPECT_NEAR(turn / step.rolling.turn.norm(), std::sqrt(1.0 / 12), 0.06);
+}
+
 TEST(RollingShutter, IsNotSeenInAGlobalOne) {
   for (unsigned seed = 1; seed <= 8; ++seed)
     for (const double noise : {1.0, 4.0}) {

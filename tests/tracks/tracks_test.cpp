@@ -104,12 +104,9 @@ TEST(Tracks, WhatStopsUnseenIsFoundAgain) {
   StageStreet street;
   street.film.interval = 0.2;
   street.film.camera_path = straight({0, 0, 0});
-  const auto x = [](double t) {
-    const double braking = std::clamp(t - 0.8, 0.0, 0.2);
-    return -1.5 + 1.5 * std::min(t, 0.8) + 1.5 * braking - 3.75 * braking * braking;
-  };
-  street.film.add(box(thin, {0.3, 0.9, 0.3}, 7000, 0.25, 1.2),
-                  [x](double t) { return dot::SE3d::translation(Vector3<double>(x(t), 0.5, 5)); });
+  street.film.add(box(thin, {0.15, 0.9, 0.15}, 7000, 0.25, 1.2), [](double t) {
+    return dot::SE3d::translation(Vector3<double>(-1.5 + 2.5 * std::min(t, 0.8), 0.5, 5));
+  });
   while (street.film.index() < 8) {
     street.next(street.film.index() < 4);
     const Track* t = street.find(thin);

@@ -23,8 +23,8 @@ struct FittingPoint {
   double weight;         ///< Tukey's, over the variance of r
 };
 
-/// Calls `visit(FittingPoint)` for the points that are inside an image, not within 3 pixels of its border, and fit
-/// their alignment to it.
+/// Calls `visit(FittingPoint)` for the points that are inside an image, without a border of one to three pixels, and
+/// fit their alignment to it.
 /// @param every takes each so-many-th point. @param image level 0.
 template <typename Camera, typename Visit>
 void visit_fitting(const PointSet& points, std::size_t every, const Image<std::uint8_t>& image, const Camera& camera,

@@ -25,6 +25,7 @@ DOT_BEGIN_NAMESPACE
 /// differ by some pixels. T_c takes up a part of y as a translation, and its covariance from the residuals does not say
 /// so. What stands then seems to move. So y is measured from the residuals of the background, together with the pose.
 /// If it is beyond chance, the part in T_c and the turn of single rows are added to the covariance.
+/// A moving object in the background that no mask shows can imitate such a turn; the covariance is too large then.
 struct RollingShutter {
   Vector3<double> turn = Vector3<double>::Zero();        ///< y, radians; zero if it may be chance
   Matrix6<double> covariance = Matrix6<double>::Zero();  ///< to be added to that of the left twist of T_c

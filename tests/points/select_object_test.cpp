@@ -124,6 +124,21 @@ TEST(SelectObject, DoesNotSelectLeakedBackground) {
   EXPECT_NEAR(1 / s.summary.median_q, 3.0, 0.3);
 }
 
+TEST(SelectObject, KeepsAwayFromTheObjectsEdgeInAMaskThatIsTooLarge) {
+  Degradation leaking;
+  leaking.leak = 10;
+  const Selected s(street(4.4), leaking);  // the wall, 5 to 6 m away, is within the depths that such an object may have
+  EXPECT_GT(s.points.size(), 200);
+  int behind = 0;
+  for (std::size_t i = 0; i < s.points.u.size(); ++i) {
+    if (s.truth.ids(s.x(i), s.y(i)) == car) continue;
+    ++behind;
+    // Blocks of 2x2 pixels may reach one pixel less far.
+    EXPECT_FALSE(s.near(i, car, 3)) << s.x(i) << ", " << s.y(i);
+  }
+  EXPECT_GT(behind, 5);
+}
+
 TEST(SelectObject, KeepsAwayFromAnOccluder) {
   Scene scene = street();
   Body post = box(pillar, {0.1, 2, 0.1}, 80, 0.1, 0.6);

@@ -47,7 +47,7 @@ struct SelectionWorkspace {
   Image<std::uint8_t> outside;           ///< pixels of the box outside the object, with a rim
   Image<std::uint8_t> outside_rows;      ///< scratch
   Image<float> surface;                  ///< 1/m, an object's surface in its box
-  Image<float> nearer;                   ///< 1/m, nearest surface outside the object around each pixel of the box
+  Image<float> nearer;                   ///< 1/m, nearest surface around each pixel of the box
   Image<float> nearer_rows;              ///< scratch
 };
 

@@ -25,9 +25,12 @@ namespace selecting {
 
 constexpr int kLargeArea = 2500;       ///< pixels
 constexpr double kLevelRelief = 0.15;  ///< largest half size of an object, share of its distance, for constant depth
+constexpr float kNearer = 1.15f;       ///< inverse depth over that of a surface that it hides
+constexpr float kOwnRelief = 0.9f;     ///< the same limit is higher by 1 / this within a mask, as objects have relief
 
 /// Sets work.mask to the pixels of an object's box that may be points. They are in its eroded mask, its surface
-/// (work.surface) is measured there, and no nearer surface outside the object is beside them.
+/// (work.surface) is measured there, and no nearer surface is beside them: neither outside the mask, nor the object
+/// itself, where a mask that is too large contains background. Such an edge moves with what is nearer.
 /// @param level 1/m, assumed for pixels that are not measured; 0: these may not be points.
 inline void admit(ImageView<const float> frame, const Box& box, ImageView<const std::uint8_t> mask, int area,
                   float level, float slack, SelectionWorkspace& work) {
@@ -47,7 +50,7 @@ inline void admit(ImageView<const float> frame, const Box& box, ImageView<const 
   else
     dilate<1>(std::as_const(work.outside).view(), work.outside_rows, work.outside.view());
 
-  // The nearest surface outside the object within kReach pixels, of a large object in blocks of 2x2 pixels.
+  // The nearest surface within kReach pixels, of a large object in blocks of 2x2 pixels.
   const int shift = is_large ? 1 : 0, rim = width + 2 * kReach;
   work.nearer.resize((rim + shift) >> shift, (height + 2 * kReach + shift) >> shift);
   work.nearer.fill(0);
@@ -62,7 +65,7 @@ inline void admit(ImageView<const float> frame, const Box& box, ImageView<const 
     std::copy(depth + begin, depth + end, row + kReach + begin);
     if (y >= 0 && y < height) {
       const std::uint8_t* inside = mask.row(y);
-      for (int x = 0; x < width; ++x) row[kReach + x] = inside[x] ? 0 : row[kReach + x];
+      for (int x = 0; x < width; ++x) row[kReach + x] *= inside[x] ? kOwnRelief : 1;
     }
     float* out = work.nearer.row((y + kReach) >> shift);
     if (!is_large) {
@@ -91,7 +94,7 @@ inline void admit(ImageView<const float> frame, const Box& box, ImageView<const 
     std::uint8_t* __restrict may = work.mask.row(y);
     for (int x = 0; x < width; ++x) {
       const float other = depth[x] > 0 ? 0.0f : level, q = surface[x] > 0 ? surface[x] : other;
-      const int admitted = (nearer[x] <= 1.15f * q + slack) & (q > 0) & (outside[x] == 0);
+      const int admitted = (nearer[x] <= kNearer * q + slack) & (q > 0) & (outside[x] == 0);
       may[x] = admitted ? 255 : 0;
     }
   }

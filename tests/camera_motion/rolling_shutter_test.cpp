@@ -10,15 +10,14 @@
 #include <Eigen/Cholesky>
 
 #include "dot/camera/pinhole.hpp"
-#include "dot/tracker.hpp"
+#include "dot/camera_motion/estimator.hpp"
 #include "support/exact_points.hpp"
 #include "support/film.hpp"
 
 namespace {
 
-using dot::Alignment;
 using dot::AlignProblem;
-using dot::AlignSettings;
+using dot::CameraStep;
 using dot::DirectAligner;
 using dot::Matrix6;
 using dot::Pinhole;
@@ -41,8 +40,7 @@ Path turning_path(const Vector3<double>& turning, const Vector3<double>& change)
 
 /// The motion from one frame to the next, aligned and measured.
 struct Step {
-  Alignment alignment;
-  RollingShutter rolling;
+  CameraStep camera;
   SE3d truth;
 
   Step(const Path& path, double readout, double noise, unsigned seed = 1) {
@@ -51,39 +49,48 @@ struct Step {
     film.readout = readout;
     film.degradation.noise = noise;
     film.degradation.seed = seed;
-    const Pinhole camera(small_camera());
+    const Pinhole pinhole(small_camera());
     Pyramid before, image;
     film.advance();
     before.build(std::as_const(film.seen().grey).view(), 3);
-    const PointSet points = exact_points(film.seen(), camera, before, 5, [](int, int) { return true; });
+    const PointSet points = exact_points(film.seen(), pinhole, before, 5, [](int, int) { return true; });
     film.advance();
     image.build(std::as_const(film.seen().grey).view(), 3);
     truth = film.T_c();
     DirectAligner<> aligner;
-    const AlignProblem<Pinhole> problem{points, image, camera};
-    alignment = aligner.align(problem, {truth}, 1);
-    aligner.reject_outliers_and_refit(problem, alignment);
-    rolling = RollingShutter::measure(points, image.levels[0], camera, alignment, aligner.settings, kScale);
+    const AlignProblem<Pinhole> problem{points, image, pinhole};
+    camera.alignment = aligner.align(problem, {truth}, 1);
+    aligner.reject_outliers_and_refit(problem, camera.alignment);
+    dot::CameraMotionEstimator estimator;
+    estimator.settings.covariance_scale = kScale;
+    estimator.take(problem, SE3d{}, aligner, camera);
   }
 
-  Matrix6<double> sigma() const { return kScale * alignment.covariance.topLeftCorner<6, 6>(); }
-  /// Squared error of the motion, in sigmas. 16.8 is the 99 % quantile.
-  double error(const Matrix6<double>& covariance) const {
-    const Vector6<double> e = (alignment.state.T * truth.inverse()).log();
-    return e.dot(covariance.ldlt().solve(e));
+  const RollingShutter& rolling() const { return camera.rolling; }
+  Matrix6<double> of_residuals() const { return kScale * camera.alignment.covariance.topLeftCorner<6, 6>(); }
+  Vector6<double> error(const CameraStep& step) const { return (step.T_cur_prev * truth.inverse()).log(); }
+  /// Squared error, in sigmas. 16.8 is the 99 % quantile.
+  double in_sigmas(const CameraStep& step, const Matrix6<double>& covariance) const {
+    return error(step).dot(covariance.ldlt().solve(error(step)));
   }
 };
 
-TEST(RollingShutter, MeasuresTheTurnOfTheRowsAndCoversItsPartInTheMotion) {
+TEST(RollingShutter, MeasuresTheTurnOfTheRowsAndItsPartInTheMotion) {
   constexpr double readout = 0.02, interval = 0.1;
   for (const Vector3<double>& change :
        {Vector3<double>(8, 0, 0), Vector3<double>(0, -8, 0), Vector3<double>(-5, 6, 0), Vector3<double>(0, 0, 12)}) {
     SCOPED_TRACE(change.transpose());
     const Step step(turning_path({0.1, 0.05, 0}, change), readout, 2);
     const Vector3<double> y = -readout * interval * change;
-    EXPECT_LT((step.rolling.turn - y).norm(), 0.2 * y.norm()) << step.rolling.turn.transpose();
-    EXPECT_GT(step.error(step.sigma()), 5 * 16.8) << "one motion for all rows is wrong";
-    EXPECT_LT(step.error(step.sigma() + step.rolling.covariance), 16.8);
+    EXPECT_LT((step.rolling().turn - y).norm(), 0.2 * y.norm()) << step.rolling().turn.transpose();
+    EXPECT_GT(step.in_sigmas(step.camera, step.of_residuals()), 5 * 16.8) << "one motion for all rows is wrong";
+    EXPECT_LT(step.in_sigmas(step.camera, step.camera.covariance), 16.8);
+
+    const CameraStep middle = step.camera.at_row(0);
+    EXPECT_LT(step.in_sigmas(middle, middle.covariance), 16.8);
+    EXPECT_LT(step.error(middle).norm(), 0.5 * step.error(step.camera).norm());
+    const SE3d from_top = step.camera.at_row(0.5).T_cur_prev * step.camera.at_row(-0.5).T_cur_prev.inverse();
+    EXPECT_LT((from_top.log().tail<3>() - step.rolling().turn).norm(), 0.02 * y.norm());
   }
 }
 
@@ -91,30 +98,34 @@ TEST(RollingShutter, MeasuresTheTurnOfTheRowsAndCoversItsPartInTheMotion) {
 // it.
 TEST(RollingShutter, TurnsRowsAboutTheMiddleOne) {
   const Step step(turning_path({0.1, 0.05, 0}, {0, 0, 12}), 0.02, 2);
-  const double turn = std::sqrt(step.rolling.covariance.bottomRightCorner<3, 3>().trace());
-  EXPECT_NEAR(turn / step.rolling.turn.norm(), std::sqrt(1.0 / 12), 0.06);
+  const double turn = std::sqrt(step.rolling().covariance_of_all().bottomRightCorner<3, 3>().trace());
+  EXPECT_NEAR(turn / step.rolling().turn.norm(), std::sqrt(1.0 / 12), 0.06);
 }
 
 TEST(RollingShutter, IsNotSeenInAGlobalOne) {
   for (unsigned seed = 1; seed <= 8; ++seed)
     for (const double noise : {1.0, 4.0}) {
       const Step step(turning_path({0.1, 0.05, 0}, {8, -4, 3}), 0, noise, seed);
-      EXPECT_TRUE(step.rolling.turn.isZero(0)) << step.rolling.turn.transpose();
-      EXPECT_TRUE(step.rolling.covariance.isZero(0));
+      EXPECT_TRUE(step.rolling().turn.isZero(0)) << step.rolling().turn.transpose();
+      EXPECT_EQ(step.camera.covariance, step.of_residuals());
+      EXPECT_EQ(step.camera.at_row(0.5).T_cur_prev.t, step.camera.T_cur_prev.t);
+      EXPECT_EQ(step.camera.at_row(0.5).covariance, step.camera.covariance);
     }
 }
 
 TEST(RollingShutter, DoesNotMatterAtAConstantTurn) {
   const Step step(turning_path({0.3, -0.4, 0.2}, {0, 0, 0}), 0.02, 2);
-  EXPECT_TRUE(step.rolling.turn.isZero(0)) << step.rolling.turn.transpose();
+  EXPECT_TRUE(step.rolling().turn.isZero(0)) << step.rolling().turn.transpose();
 }
 
 TEST(RollingShutter, NeedsPoints) {
   const Pinhole camera(small_camera());
   const dot::Image<std::uint8_t> image(camera.width(), camera.height());
-  const RollingShutter none = RollingShutter::measure(PointSet{}, image, camera, Alignment{}, AlignSettings{}, kScale);
+  const RollingShutter none =
+      RollingShutter::measure(PointSet{}, image, camera, dot::Alignment{}, dot::AlignSettings{}, kScale);
   EXPECT_TRUE(none.turn.isZero(0));
-  EXPECT_TRUE(none.covariance.isZero(0));
+  EXPECT_TRUE(none.covariance_of_row(0.5).isZero(0));
+  EXPECT_TRUE(none.covariance_of_all().isZero(0));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dot/align/aligner.hpp"
+#include "dot/camera_motion/rolling_shutter.hpp"
 #include "dot/camera_motion/status.hpp"
 #include "dot/lie/se3.hpp"
 
@@ -12,12 +13,17 @@ DOT_BEGIN_NAMESPACE
 struct CameraStep {
   CameraStatus status = CameraStatus::FirstFrame;        ///< how the motion was found
   double seconds = 0;                                    ///< since the previous frame; 0: there is none
-  SE3d T_cur_prev;                                       ///< T_c of the paper
+  SE3d T_cur_prev;                                       ///< T_c of the paper, the mean of all rows
   Matrix6<double> covariance = Matrix6<double>::Zero();  ///< of the left twist of T_cur_prev
+  RollingShutter rolling;                                ///< what it leaves out; zero if that may be chance
   Alignment alignment;                                   ///< of the background, if there was one
 
   /// Whether it was measured, not guessed.
   bool known() const { return status == CameraStatus::Tracked || status == CameraStatus::FromHost; }
+
+  /// The step as a row of the image has it: the same, unless a rolling shutter reads the rows one after another while
+  /// the camera's turn changes. @param h of the row: -1/2 at the top of the image, 0 in the middle, 1/2 at the bottom.
+  CameraStep at_row(double h) const;
 };
 
 /// The camera's motion since a past frame, `ref`, composed of several steps. `now` is the frame after the last step.

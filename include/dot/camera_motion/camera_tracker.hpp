@@ -93,8 +93,8 @@ class CameraTracker {
 
   /// T_cur_prev of each start, the most trusted first: from the host, and at constant velocity.
   void predict(const HostMotion& host, double seconds);
-  void take_host_motion(const CameraMotion& motion, const FrameData& cur, const Camera& camera, Aligner& aligner,
-                        CameraStep& step) const;
+  void take_host_motion(const CameraMotion& motion, const FrameData& cur, const Camera& camera,
+                        const CameraSettings& settings, Aligner& aligner, CameraStep& step) const;
   /// @return whether the motion was searched, because the velocity was not known or did not lead to it.
   bool estimate(const FramePtr& prev, const FrameData& cur, bool expected, const std::vector<const PointSet*>& objects,
                 const Camera& camera, const CameraMotionEstimator& estimator, Aligner& aligner,

@@ -12,8 +12,8 @@
 #include "dot/align/aligner.hpp"
 #include "dot/align/minima.hpp"
 #include "dot/align/settings.hpp"
+#include "dot/camera_motion/camera_step.hpp"
 #include "dot/camera_motion/motion_choice.hpp"
-#include "dot/camera_motion/rolling_shutter.hpp"
 #include "dot/camera_motion/search.hpp"
 #include "dot/camera_motion/second_motion.hpp"
 #include "dot/statistics/median.hpp"
@@ -132,12 +132,16 @@ struct CameraMotionEstimator {
                   : a.phi >= settings.min_phi_unexpected && a.margin >= settings.min_margin);
   }
 
-  /// Covariance of the left twist of a motion that was accepted, by the points that it was aligned with.
+  /// Sets the motion of a step to one that was accepted. @param problem what it was aligned with.
+  /// @param T_prev_points from the points' frame to the one where the step begins.
   template <typename Camera, typename Aligner>
-  Matrix6<double> covariance(const AlignProblem<Camera>& problem, const Alignment& a, const Aligner& aligner) const {
-    const RollingShutter rolling = RollingShutter::measure(problem.points, problem.image.levels[0], problem.camera, a,
-                                                           aligner.settings, settings.covariance_scale);
-    return settings.covariance_scale * a.covariance.topLeftCorner<6, 6>() + rolling.covariance;
+  void take(const AlignProblem<Camera>& problem, const SE3d& T_prev_points, const Aligner& aligner,
+            CameraStep& step) const {
+    const Alignment& a = step.alignment;
+    step.T_cur_prev = a.state.T * T_prev_points.inverse();
+    step.rolling = RollingShutter::measure(problem.points, problem.image.levels[0], problem.camera, a, aligner.settings,
+                                           settings.covariance_scale);
+    step.covariance = settings.covariance_scale * a.covariance.topLeftCorner<6, 6>() + step.rolling.covariance_of_all();
   }
 
   /// Metres by which the motion of an interval may differ from that at constant velocity.

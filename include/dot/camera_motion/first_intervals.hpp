@@ -108,9 +108,7 @@ class FirstIntervals {
     Alignment& a = step.alignment;
     a = estimator.estimate(unexplained_, problem.image, problem.camera, starts_, nullptr,
                            {no_objects, T_prev_points.inverse(), reach}, aligner, workspace);
-    step.T_cur_prev = a.state.T * T_prev_points.inverse();
-    step.covariance =
-        estimator.covariance(AlignProblem<Camera>{unexplained_, problem.image, problem.camera}, a, aligner);
+    estimator.take(AlignProblem<Camera>{unexplained_, problem.image, problem.camera}, T_prev_points, aligner, step);
     const bool explains_much = a.inliers >= SecondMotion::kMinShare * found.alignment.seen;
     if (!explains_much || !estimator.accepts(a, false) || (step.T_cur_prev.t - expected.t).norm() > reach)
       return std::nullopt;

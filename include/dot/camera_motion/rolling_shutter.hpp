@@ -22,13 +22,14 @@ DOT_BEGIN_NAMESPACE
 ///
 /// At a constant turn y is zero. What points that change rows add then, and the translation during the readout, are
 /// small and left out. A hand that shakes, or a robot that vibrates, gives the first and the last row motions that
-/// differ by some pixels. T_c takes up a part of y as a translation, and its covariance from the residuals does not say
-/// so. What stands then seems to move. So y is measured from the residuals of the background, together with the pose.
-/// If it is beyond chance, the part in T_c and the turn of single rows are added to the covariance.
+/// differ by some pixels. The alignment takes up a part G y of it, as a translation mostly, and its covariance from the
+/// residuals does not say so. What stands then seems to move. So y is measured from the residuals of the background,
+/// together with the pose, and used if it is beyond chance.
 /// A moving object in the background that no mask shows can imitate such a turn; the covariance is too large then.
 struct RollingShutter {
   Vector3<double> turn = Vector3<double>::Zero();        ///< y, radians; zero if it may be chance
-  Matrix6<double> covariance = Matrix6<double>::Zero();  ///< to be added to that of the left twist of T_c
+  Matrix3<double> covariance = Matrix3<double>::Zero();  ///< of y
+  Eigen::Matrix<double, 6, 3> in_motion = Eigen::Matrix<double, 6, 3>::Zero();  ///< G: left twist of T_c by y
 
   /// @param points of the background. @param image level 0. @param a their alignment to it. @param covariance_scale
   /// CameraSettings::covariance_scale.
@@ -43,20 +44,43 @@ struct RollingShutter {
     });
     auto marginal = sums.marginal();
     marginal.information.diagonal().array() += covariance_scale / (kLargest * kLargest);
-    const Vector3<double> y = marginal.information.ldlt().solve(marginal.weighted);
+    const Eigen::LDLT<Matrix3<double>> information(marginal.information);
+    const Vector3<double> y = information.solve(marginal.weighted);
     RollingShutter out;
     if (!y.allFinite() || !(y.dot(marginal.weighted) > covariance_scale * chi2::k3SigmaOf3)) return out;
-    constexpr double kMeanSquareRow = 1.0 / 12;  // of h
-    const Vector6<double> in_motion = (marginal.missing_in_state * y).template head<6>();
     out.turn = y;
-    out.covariance = in_motion * in_motion.transpose();
-    out.covariance.bottomRightCorner<3, 3>() += kMeanSquareRow * y * y.transpose();
+    out.covariance = covariance_scale * information.solve(Matrix3<double>::Identity());
+    out.in_motion = marginal.missing_in_state.template topRows<6>();
+    return out;
+  }
+
+  /// Left twist from the T_c of the alignment to that of a row. @param h of the row, -1/2 to 1/2.
+  Vector6<double> twist(double h) const { return by_turn(h) * turn; }
+  /// To be added to the covariance of the alignment for the T_c of a row: the error of y, and that of the model, which
+  /// assumes an even acceleration.
+  Matrix6<double> covariance_of_row(double h) const {
+    return by_turn(h) * covariance * by_turn(h).transpose() + kUneven * kUneven * covariance_of_all();
+  }
+  /// The same for the T_c of the alignment, as that of all rows.
+  Matrix6<double> covariance_of_all() const {
+    constexpr double kMeanSquareRow = 1.0 / 12;  // of h
+    const Vector6<double> x = in_motion * turn;
+    Matrix6<double> out = x * x.transpose();
+    out.bottomRightCorner<3, 3>() += kMeanSquareRow * turn * turn.transpose();
     return out;
   }
 
  private:
   static constexpr std::size_t kPoints = 1000;  ///< that are looked at, up to twice as many
   static constexpr double kLargest = 0.1;       ///< radians, prior sigma of y: few rows tell nothing of it
+  static constexpr double kUneven = 0.3;        ///< error of the model, share of what it corrects
+
+  /// The left twist from the T_c of the alignment to that of a row, by y.
+  Eigen::Matrix<double, 6, 3> by_turn(double h) const {
+    Eigen::Matrix<double, 6, 3> out = -in_motion;
+    out.bottomRows<3>().diagonal().array() += h;
+    return out;
+  }
 };
 
 DOT_END_NAMESPACE

@@ -21,7 +21,7 @@ namespace dot {
 /// The camera's motion over the last interval.
 struct CameraResult {
   CameraStatus status = CameraStatus::FirstFrame;                         ///< how the motion was found
-  std::array<double, 12> T_cur_prev{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  ///< T_c, row-major 3x4
+  std::array<double, 12> T_cur_prev{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  ///< T_c of the middle row, 3x4
   std::array<double, 36> covariance{};  ///< left twist [translation; rotation], row-major, metres and radians
   double phi = 0;                       ///< Pearson correlation of reference and tracked intensities
   double gain = 1;                      ///< I_cur = gain I_prev + offset

@@ -117,6 +117,7 @@ class Tracks {
 
   template <typename Condition>
   const List& that(Condition&& condition);
+  static CameraStep step_of_rows(const Track& t, const CameraStep& camera, int height);
   void follow(Track& t, const Interval& interval, const Observations& observations, const Setup& setup,
               Worker& worker) const;
   static bool is_out_of_sight(const Track& t, const Observations& observations);

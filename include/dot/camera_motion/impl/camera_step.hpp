@@ -7,6 +7,14 @@
 
 DOT_BEGIN_NAMESPACE
 
+DOT_INLINE CameraStep CameraStep::at_row(double h) const {
+  CameraStep out = *this;
+  if (rolling.turn.isZero(0)) return out;
+  out.T_cur_prev = SE3d::exp(rolling.twist(h)) * T_cur_prev;
+  out.covariance += rolling.covariance_of_row(h) - rolling.covariance_of_all();
+  return out;
+}
+
 DOT_INLINE CameraSince CameraSince::after(const SE3d& T_cur_prev, const Matrix6<double>& step_covariance,
                                           double step_gain, double step_offset) const {
   const Matrix6<double> Ad = T_cur_prev.adjoint();

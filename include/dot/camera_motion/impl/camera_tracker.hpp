@@ -34,7 +34,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   const Vector3<double> at_constant_velocity = starts_.back().t;
   bool searched = false;
   if (host.motion)
-    take_host_motion(*host.motion, cur, camera, aligner, step);
+    take_host_motion(*host.motion, cur, camera, estimator.settings, aligner, step);
   else if (background_.points.size() < estimator.settings.min_points)
     step.status = CameraStatus::TooLittleDepth;
   else
@@ -73,8 +73,8 @@ void CameraTracker<Camera, Noise, Aligner>::predict(const HostMotion& host, doub
 
 template <typename Camera, typename Noise, typename Aligner>
 void CameraTracker<Camera, Noise, Aligner>::take_host_motion(const CameraMotion& motion, const FrameData& cur,
-                                                             const Camera& camera, Aligner& aligner,
-                                                             CameraStep& step) const {
+                                                             const Camera& camera, const CameraSettings& settings,
+                                                             Aligner& aligner, CameraStep& step) const {
   step.status = CameraStatus::FromHost;
   step.T_cur_prev = SE3d::from_row_major(motion.T_cur_prev).normalized();
   const Eigen::Map<const Matrix6<double>, Eigen::Unaligned> covariance(motion.covariance.data());
@@ -82,6 +82,10 @@ void CameraTracker<Camera, Noise, Aligner>::take_host_motion(const CameraMotion&
   const AlignProblem<Camera> problem{background_.points, cur.pyramid, camera};
   step.alignment.state = aligner.photometry(problem, step.T_cur_prev * background_.T_now_points);
   step.alignment.sigma_intensity = aligner.intensity_sigma(problem, step.alignment.state, 0);
+  step.rolling = RollingShutter::measure(problem.points, cur.pyramid.levels[0], camera, step.alignment,
+                                         aligner.settings, settings.covariance_scale);
+  step.rolling.in_motion.setZero();  // the motion was not found by these residuals
+  step.covariance += step.rolling.covariance_of_all();
 }
 
 /// @param expected the host gave a start.
@@ -116,9 +120,7 @@ bool CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
   step.status = ok ? CameraStatus::Tracked : CameraStatus::Lost;
   if (!ok) return true;
   correlation_.add(step.alignment.phi);
-  step.T_cur_prev = step.alignment.state.T * T_prev_points.inverse();
-  step.covariance =
-      estimator.covariance(AlignProblem<Camera>{background_.points, cur.pyramid, camera}, step.alignment, aligner);
+  estimator.take(AlignProblem<Camera>{background_.points, cur.pyramid, camera}, T_prev_points, aligner, step);
   return searched;
 }
 

@@ -113,14 +113,16 @@ void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame, c
   result_.stage_ms[static_cast<std::size_t>(Stage::Points)] = 0;
   if constexpr (std::is_same_v<Noise, DepthNoise>)
     result_.disparity_bias_px = current_->bias.is_zero() ? 0 : current_->bias.rms() * depth_noise.focal_baseline;
-  result_.camera = writing::result_of(camera_step);
+  constexpr double kMiddleRow = 0;  // whose motion a host takes for the frame's
+  result_.camera = writing::result_of(camera_step.at_row(kMiddleRow));
   revised_.clear();
   for (const RevisedInterval& r : camera_tracker_.revised()) {
     CameraRevision& out = revised_.emplace_back();
     out.frame_id = r.frame_id;
     out.timestamp = r.timestamp;
-    out.T_cur_prev = r.step.T_cur_prev.row_major();
-    writing::copy(r.step.covariance, out.covariance);
+    const CameraStep step = r.step.at_row(kMiddleRow);
+    out.T_cur_prev = step.T_cur_prev.row_major();
+    writing::copy(step.covariance, out.covariance);
   }
   result_.revised = {revised_.data(), revised_.size()};
   objects_.assign(dropped_.begin(), dropped_.end());

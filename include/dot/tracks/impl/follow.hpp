@@ -61,12 +61,20 @@ void Tracks<Camera, Classifier, Noise, Aligner>::predict(const List& tracks, con
   });
 }
 
+/// The camera's motion as the rows have it that show an object. @param height of the image.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+CameraStep Tracks<Camera, Classifier, Noise, Aligner>::step_of_rows(const Track& t, const CameraStep& camera,
+                                                                    int height) {
+  const Mask& mask = t.observed ? t.observed->mask : t.outline.mask;
+  return camera.at_row(mask.empty() ? 0 : (mask.y + 0.5 * mask.height()) / height - 0.5);
+}
+
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::predict(Track& t, const Interval& interval, const Setup& setup,
                                                          Worker& worker) const {
-  const CameraStep& camera = interval.camera;
   t.segmented = false;
   t.observed = nullptr;
+  const CameraStep camera = step_of_rows(t, interval.camera, setup.camera.height());
   t.outline.is_newest &= camera.known();
   // After a guessed camera motion, everything static would seem to move against earlier frames.
   if (!camera.known()) t.motion.forget_references(Reason::CameraLost);
@@ -169,10 +177,11 @@ bool Tracks<Camera, Classifier, Noise, Aligner>::is_out_of_sight(const Track& t,
 /// Follows one object: estimates its step, updates its belief and moves all of it into the current frame. Outlines of
 /// static objects are moved by T_c alone, so that they do not drift with the noise of the fits.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval& interval,
+void Tracks<Camera, Classifier, Noise, Aligner>::follow(Track& t, const Interval& of_all,
                                                         const Observations& observations, const Setup& setup,
                                                         Worker& worker) const {
-  const CameraStep& camera = interval.camera;
+  const CameraStep camera = step_of_rows(t, of_all.camera, setup.camera.height());
+  const Interval interval{of_all.prev, of_all.cur, camera};
   ObjectStep& step = t.motion.step;
   if (t.is_rejected_candidate() && camera.known()) {
     step = {};

@@ -80,13 +80,15 @@ void Tracks<Camera, Classifier, Noise, Aligner>::examine(Track& t, double second
 
 /// Finds the step of an object that no earlier mask explains.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Tracks<Camera, Classifier, Noise, Aligner>::align_backwards(Track& t, const Interval& interval, const Setup& setup,
+void Tracks<Camera, Classifier, Noise, Aligner>::align_backwards(Track& t, const Interval& of_all, const Setup& setup,
                                                                  Worker& worker) const {
-  if (t.motion.doubted_at == interval.cur.timestamp) return;  // it was tried
+  if (t.motion.doubted_at == of_all.cur.timestamp) return;  // it was tried
+  const CameraStep camera = step_of_rows(t, of_all.camera, setup.camera.height());
+  const Interval interval{of_all.prev, of_all.cur, camera};
   const auto fit =
       tracker(setup, setup.noise).align_backwards(t.motion, t.belief, *t.observed, interval, worker.object);
   if (!fit || (!t.belief.has_velocity() && refuses(t.motion, *fit, interval, setup))) return;
-  const SE3d& T_c = interval.camera.T_cur_prev;
+  const SE3d& T_c = camera.T_cur_prev;
   t.motion.correct(*fit, T_c);
   t.expected = t.motion.position_now;
   ObjectStep& step = t.motion.step;
@@ -94,7 +96,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::align_backwards(Track& t, const
   // The belief was already predicted to this frame, so the evidence is given in this frame's axes.
   step.evidence = fit->motion.rotated(T_c.R);
   step.has_evidence = fit->phi >= setup.estimator.settings.min_phi;
-  decide(t, interval.cur, Matrix3<double>::Identity(), interval.camera.seconds, 0, setup);
+  decide(t, interval.cur, Matrix3<double>::Identity(), camera.seconds, 0, setup);
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>

@@ -98,9 +98,13 @@ std::vector<double> Summary::steady_ms() const {
 }
 
 void Summary::print_suspicions() const {
-  for (const auto& [suspicion, frames] : suspicions_)
-    std::printf("input     %s (%.3g) in %d frames: look at it with dot_run %s --check\n", dot::to_string(suspicion),
-                figures_.at(suspicion), frames, source_.folder.c_str());
+  for (const auto& [suspicion, frames] : suspicions_) {
+    std::printf("input     %s (%.3g) in %d frames: ", dot::to_string(suspicion), figures_.at(suspicion), frames);
+    if (suspicion == dot::Suspicion::RollingShutter)
+      std::printf("see docs/failures.md\n");
+    else
+      std::printf("look at it with dot_run %s --check\n", source_.folder.c_str());
+  }
 }
 
 dataset::Figures Summary::figures() const {

@@ -59,6 +59,7 @@ class Suspicion(IntEnum):
     MASKS_COVER_IMAGE = 7  # masks leave too few points to track; share of the image that they cover, 0 to 1
     SATURATED_DEPTH = 8  # depth cut off at a largest value instead of missing; share of the pixels, 0 to 1
     FIXED_PART = 9  # a part of the image that does not move with the scene; share of the image, 0 to 1
+    ROLLING_SHUTTER = 10  # rows that a turning camera shows turned against each other; first to last row, radians
 
 
 class DepthSource(IntEnum):

@@ -46,6 +46,7 @@ struct Setting {
   bool few_points = false;
   bool no_depth = false;
   dot::UnusedShares shares;
+  double row_turn = 0;
 };
 
 Diagnosis look(const Setting& setting, int frames = 40) {
@@ -58,7 +59,8 @@ Diagnosis look(const Setting& setting, int frames = 40) {
     frame.repeats = again;
     frame.depth.levels[0] = scene(100 + (again ? i - 1 : i) - setting.depth_late, setting.scale).depth.levels[0];
     if (setting.no_depth) frame.depth.levels[0].fill(0);
-    last = watch.look(frame, noise, i > 0 ? setting.seconds : 0, 1, setting.few_points, setting.shares);
+    last =
+        watch.look(frame, noise, i > 0 ? setting.seconds : 0, 1, setting.few_points, setting.shares, setting.row_turn);
   }
   return last;
 }
@@ -84,6 +86,15 @@ TEST(Watch, NoticesAFixedPart) {
   EXPECT_EQ(look(setting).figure, 0.2);
   setting.depth_late = 1;  // is graver
   EXPECT_EQ(look(setting).reason, Suspicion::DepthOutOfStep);
+}
+
+TEST(Watch, NoticesRowsThatMoveDifferently) {
+  Setting setting;
+  setting.row_turn = 0.02;
+  EXPECT_EQ(look(setting).reason, Suspicion::RollingShutter);
+  EXPECT_EQ(look(setting).figure, 0.02);
+  setting.shares.fixed = 0.2;  // is graver
+  EXPECT_EQ(look(setting).reason, Suspicion::FixedPart);
 }
 
 TEST(Watch, NoticesTimesThatAreNoSeconds) {
@@ -197,6 +208,7 @@ TEST(Suspicion, HasNames) {
   EXPECT_STREQ(dot::to_string(Suspicion::DepthOutOfStep), "depth_out_of_step");
   EXPECT_STREQ(dot::to_string(Suspicion::SaturatedDepth), "saturated_depth");
   EXPECT_STREQ(dot::to_string(Suspicion::FixedPart), "fixed_part");
+  EXPECT_STREQ(dot::to_string(Suspicion::RollingShutter), "rolling_shutter");
 }
 
 }  // namespace

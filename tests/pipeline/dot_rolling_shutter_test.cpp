@@ -26,6 +26,7 @@ using dot::Pinhole;
 using dot::Result;
 using dot::SE3d;
 using dot::State;
+using dot::Suspicion;
 using dot::Vector3;
 using dot::Vector6;
 using namespace dot::test;
@@ -52,6 +53,7 @@ void expect_right(double readout, bool host) {
   Film<> film = shaken(readout);
   Dot<> dot{Pinhole(small_camera())};
   int stands = 0, moves = 0, frames = 0;
+  Suspicion last{};
   for (int i = 0; i < 26; ++i) {
     Frame frame = film.advance();
     if (host && i > 0) {
@@ -60,6 +62,7 @@ void expect_right(double readout, bool host) {
       for (std::size_t k = 0; k < 6; ++k) motion.covariance[7 * k] = k < 3 ? 1e-8 : 1e-10;  // 0.1 mm, 0.01 mrad
     }
     const Result& result = dot.track(frame);
+    last = result.diagnosis.reason;
     if (i < 8) continue;
     ++frames;
     ASSERT_EQ(result.camera.status, host ? CameraStatus::FromHost : CameraStatus::Tracked) << i;
@@ -72,6 +75,7 @@ void expect_right(double readout, bool host) {
   }
   EXPECT_GE(stands, 0.85 * frames);
   EXPECT_GE(moves, 0.85 * frames);
+  EXPECT_EQ(last, readout > 0 ? Suspicion::RollingShutter : Suspicion::None);
 }
 
 TEST(RollingShutterPipeline, WhatStandsIsNotCalledMoving) {

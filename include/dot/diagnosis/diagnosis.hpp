@@ -17,7 +17,8 @@ enum class Suspicion : std::uint8_t {
   DepthOutOfStep,    ///< depth that is of another frame than the image; frames by which it is late, negative: early
   MasksCoverImage,   ///< masks that leave too few background points to track; the share that they cover, 0 to 1
   SaturatedDepth,    ///< depth that is cut off at a largest value instead of missing; share of the pixels, 0 to 1
-  FixedPart          ///< a part of the image that does not move with the scene; share of the image, 0 to 1
+  FixedPart,         ///< a part of the image that does not move with the scene; share of the image, 0 to 1
+  RollingShutter     ///< rows that a turning camera shows turned against each other; first to last row, radians
 };
 
 /// Name of a suspicion, lower case with underscores; empty for None.
@@ -31,8 +32,9 @@ constexpr const char* to_string(Suspicion suspicion) {
                                    "depth_out_of_step",
                                    "masks_cover_image",
                                    "saturated_depth",
-                                   "fixed_part"};
-  return suspicion <= Suspicion::FixedPart ? names[static_cast<int>(suspicion)] : "?";
+                                   "fixed_part",
+                                   "rolling_shutter"};
+  return suspicion <= Suspicion::RollingShutter ? names[static_cast<int>(suspicion)] : "?";
 }
 
 /// What the tracker suspects of its input. It says so of the last frames, and takes it back when they are better.

@@ -24,9 +24,10 @@ class Watch {
  public:
   /// @param noise of the depth. @param seconds since the frame before, 0 for the first. @param max_gap of the frames,
   /// seconds. @param too_few_points for the next frame's camera motion. @param shares of the image that are of no use.
+  /// @param row_turn of the last row against the first, radians; 0 if that may be chance.
   template <typename Noise>
   Diagnosis look(const FrameData& frame, const Noise& noise, double seconds, double max_gap, bool too_few_points,
-                 const UnusedShares& shares = {}) {
+                 const UnusedShares& shares = {}, double row_turn = 0) {
     const std::size_t level = frame.pyramid.size() > 1 ? 1 : 0;
     const bool first = !(seconds > 0);
     if (first || seconds > max_gap) step_.clear();
@@ -52,6 +53,8 @@ class Watch {
     if (shares.saturated > 0) last_.saturated = shares.saturated;
     fixed_.add(shares.fixed > 0);
     if (shares.fixed > 0) last_.fixed = shares.fixed;
+    rolling_.add(row_turn > 0);
+    if (row_turn > 0) row_turn_ = row_turn;
 
     if (gaps_.share() > 0.5) return {Suspicion::ImplausibleTimes, seconds};
     if (repeats_.share() >= kRepeats) return {Suspicion::RepeatedImages, repeats_.share()};
@@ -66,13 +69,14 @@ class Watch {
     if (const int lag = step_.lag(); lag != 0) return {Suspicion::DepthOutOfStep, static_cast<double>(lag)};
     if (saturated_.share() > 0.5) return {Suspicion::SaturatedDepth, last_.saturated};
     if (fixed_.share() > 0.5) return {Suspicion::FixedPart, last_.fixed};
+    if (rolling_.share() > 0.5) return {Suspicion::RollingShutter, row_turn_};
     return {};
   }
 
   /// Starts afresh, as at the first frame.
   void forget() noexcept {
     step_.clear();
-    gaps_ = repeats_ = few_points_ = no_depth_ = covered_ = saturated_ = fixed_ = {};
+    gaps_ = repeats_ = few_points_ = no_depth_ = covered_ = saturated_ = fixed_ = rolling_ = {};
     run_ = 0;
   }
 
@@ -103,9 +107,10 @@ class Watch {
   static constexpr double kFarthest = 150, kNearest = 0.1;  ///< metres, harmonic mean
 
   DepthStep step_;
-  Share gaps_, repeats_, few_points_, no_depth_, covered_, saturated_, fixed_;
+  Share gaps_, repeats_, few_points_, no_depth_, covered_, saturated_, fixed_, rolling_;
   double little_depth_ = 0;  ///< share of the pixels with depth in the last frame that had too little
   UnusedShares last_;        ///< of the last frames that had any
+  double row_turn_ = 0;      ///< radians, in the last frame that had any
   int run_ = 0;              ///< FrameData::repeats of the newest frame
 };
 

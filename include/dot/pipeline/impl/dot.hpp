@@ -138,7 +138,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::prepare_next(const CameraStep& cam
   shares.masked = result_.too_little_depth ? labeller_.labels().share() : 0;
   shares.saturated = saturation_.share();
   shares.fixed = camera_tracker_.fixed_share();
-  result_.diagnosis = watch_.look(*current_, depth_noise, step, options_.max_gap, result_.too_little_depth, shares);
+  result_.diagnosis = watch_.look(*current_, depth_noise, step, options_.max_gap, result_.too_little_depth, shares,
+                                  camera_step.rolling.turn.norm());
   late_masks_.await(current_, camera_step, segmented, options_.mask, tracks_.all());
   result_.stage_ms[static_cast<std::size_t>(Stage::Points)] = stopwatch_.lap();
 }

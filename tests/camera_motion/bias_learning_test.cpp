@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <utility>
 
 #include "dot/camera/pinhole.hpp"
@@ -43,7 +44,8 @@ DepthBias lenses() {
 struct Walk {
   DepthBias wrong;
   Vector3<double> velocity{0.4, 0, 2};
-  double noise = 0;  ///< grey values
+  double noise = 0;        ///< grey values
+  double depth_noise = 0;  ///< pixels of disparity, of single points
   AlignSettings settings;
   DepthBiasLearning learning;
 
@@ -73,7 +75,13 @@ struct Walk {
       }
       points = exact_points(
           view, camera, pyramid, 5, [](int, int) { return true; }, 0.1f * static_cast<float>(pixel));
+      std::mt19937 random(static_cast<unsigned>(i));
+      std::normal_distribution<double> error(0, depth_noise * pixel);
       for (std::size_t k = 0; k < points.q.size(); ++k) {
+        if (depth_noise > 0) {
+          points.q[k] = std::max(1e-3f, points.q[k] + static_cast<float>(error(random)));
+          points.sigma_q[k] = static_cast<float>(depth_noise * pixel);
+        }
         const double s = 2 * static_cast<double>(points.u[k]) / camera.width() - 1;
         const double t = 2 * static_cast<double>(points.v[k]) / camera.height() - 1;
         points.q[k] += static_cast<float>(wrong(s, t));
@@ -112,6 +120,15 @@ TEST(DepthBiasLearning, LeavesAGoodSensorAlone) {
     walk.run(10);
     EXPECT_TRUE(walk.learning.bias().is_zero()) << walk.learning.bias().coefficients.transpose() / pixel;
   }
+}
+
+// Noise of the depth makes the motion seem shorter, and a bias takes up the rest.
+TEST(DepthBiasLearning, NothingFromDepthThatIsNoise) {
+  Walk walk;
+  walk.noise = 2;
+  walk.depth_noise = 1.5;
+  walk.run(12);
+  EXPECT_TRUE(walk.learning.bias().is_zero()) << walk.learning.bias().coefficients.transpose() / pixel;
 }
 
 TEST(DepthBiasLearning, NothingWithoutMotion) {

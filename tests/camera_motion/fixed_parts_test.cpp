@@ -27,14 +27,15 @@ constexpr double kFocal = 200;
 
 /// A wall before a camera that moves to the right, and a part of the image that stays.
 struct Setting {
-  double rate = 10;          ///< frames a second
-  double speed = 0.6;        ///< m/s
-  double distance = 4;       ///< metres, of the wall
-  bool has_part = true;      ///< the lowest rows are fixed
-  double part_distance = 1;  ///< metres, that the depth image has there
-  bool is_striped = false;   ///< that part has edges along the rows alone, which stay though it moves
-  double measured = 1;       ///< the camera's motion, over that to the wall
-  int repeats = 0;           ///< FrameData::repeats of each frame
+  double rate = 10;                ///< frames a second
+  double speed = 0.6;              ///< m/s
+  double distance = 4;             ///< metres, of the wall
+  bool has_part = true;            ///< the lowest rows are fixed
+  double part_distance = 1;        ///< metres, that the depth image has there
+  int first_row = kFirstFixedRow;  ///< of that part
+  bool is_striped = false;         ///< that part has edges along the rows alone, which stay though it moves
+  double measured = 1;             ///< the camera's motion, over that to the wall
+  int repeats = 0;                 ///< FrameData::repeats of each frame
 };
 
 class Camera {
@@ -65,7 +66,7 @@ class Camera {
       for (int x = 0; x < kWidth; ++x) count += mask(x, y) == 0;
     return static_cast<double>(count) / ((end - first) * kWidth);
   }
-  double of_part() const { return excluded(kFirstFixedRow, kHeight); }
+  double of_part() const { return excluded(setting.first_row, kHeight); }
   double of_scene() const { return excluded(0, kFirstFixedRow - 16); }
 
  private:
@@ -77,7 +78,7 @@ class Camera {
     Image<float> q(kWidth, kHeight);
     for (int y = 0; y < kHeight; ++y)
       for (int x = 0; x < kWidth; ++x) {
-        const bool fixed = setting.has_part && y >= kFirstFixedRow;
+        const bool fixed = setting.has_part && y >= setting.first_row;
         grey(x, y) = fixed ? part_(setting.is_striped ? 0 : x, y) : wall_((kSteps * x + shift) % wall_.width(), y);
         q(x, y) = static_cast<float>(1 / (fixed ? setting.part_distance : setting.distance));
       }
@@ -138,6 +139,19 @@ TEST(FixedParts, AreFoundThoughTheyHoldTheCamera) {
 
 // The wall is a lorry without a mask. The camera's motion is right and does not explain how the lorry moves. The edges
 // of the road below are along its motion.
+TEST(FixedParts, AreNotASceneInWhichALorryPasses) {
+  for (const double measured : {0.0, 0.02}) {
+    Setting setting;
+    setting.measured = measured;
+    setting.first_row = 120;
+    Camera camera(setting);
+    camera.drive(3);
+    EXPECT_FALSE(camera.found) << measured;
+    EXPECT_EQ(camera.of_part(), 0) << measured;
+    EXPECT_EQ(camera.parts.share(), 0) << measured;
+  }
+}
+
 TEST(FixedParts, AreNotWhatTheCameraPassesBesideAnotherMotion) {
   Setting setting;
   setting.measured = -1;

@@ -64,6 +64,7 @@ struct Step {
     dot::CameraMotionEstimator estimator;
     estimator.settings.covariance_scale = kScale;
     estimator.take(problem, SE3d{}, aligner, camera);
+    camera.rolling.is_usual = !camera.rolling.turn.isZero(0);
   }
 
   const RollingShutter& rolling() const { return camera.rolling; }
@@ -89,8 +90,13 @@ TEST(RollingShutter, MeasuresTheTurnOfTheRowsAndItsPartInTheMotion) {
     const CameraStep middle = step.camera.at_row(0);
     EXPECT_LT(step.in_sigmas(middle, middle.covariance), 16.8);
     EXPECT_LT(step.error(middle).norm(), 0.5 * step.error(step.camera).norm());
-    const SE3d from_top = step.camera.at_row(0.5).T_cur_prev * step.camera.at_row(-0.5).T_cur_prev.inverse();
-    EXPECT_LT((from_top.log().tail<3>() - step.rolling().turn).norm(), 0.02 * y.norm());
+    const Path path = turning_path({0.1, 0.05, 0}, change);
+    for (const double h : {-0.45, 0.45}) {
+      const SE3d truth = path(interval + h * readout).inverse() * path(h * readout);
+      const Vector6<double> e = (step.camera.at_row(h).T_cur_prev * truth.inverse()).log();
+      const Vector6<double> mean = (step.camera.T_cur_prev * truth.inverse()).log();
+      EXPECT_LT(e.tail<3>().norm(), 0.3 * mean.tail<3>().norm()) << h;
+    }
   }
 }
 
@@ -116,6 +122,13 @@ TEST(RollingShutter, IsNotSeenInAGlobalOne) {
 TEST(RollingShutter, DoesNotMatterAtAConstantTurn) {
   const Step step(turning_path({0.3, -0.4, 0.2}, {0, 0, 0}), 0.02, 2);
   EXPECT_TRUE(step.rolling().turn.isZero(0)) << step.rolling().turn.transpose();
+}
+
+TEST(RollingShutter, CorrectsNothingAtTheFirstTurn) {
+  Step step(turning_path({0.1, 0.05, 0}, {8, 0, 0}), 0.02, 2);
+  step.camera.rolling.is_usual = false;
+  EXPECT_EQ(step.camera.at_row(0.3).T_cur_prev.t, step.camera.T_cur_prev.t);
+  EXPECT_EQ(step.camera.at_row(0.3).covariance, step.camera.covariance);
 }
 
 TEST(RollingShutter, NeedsPoints) {

@@ -24,10 +24,16 @@ DOT_BEGIN_NAMESPACE
 /// frames are summed with exponential fading. Without motion dr/dq is zero, and nothing is learnt. A depth sensor
 /// without such a bias should not get one from noise. So the estimate is shrunk by the share that noise alone would
 /// have in its size (positive-part James-Stein estimator), and is zero within the 95 % ellipsoid about zero.
+///
+/// A bias and a motion together fit lines to the shifts over the inverse depth: the motion is the slope. Noise of the
+/// inverse depth flattens such a line, and the bias takes up the rest. So nothing is learnt where noise is too large a
+/// share of the variation that no bias explains, as over even ground seen from above.
 class DepthBiasLearning {
  public:
   static constexpr double kMemory = 10;     ///< seconds, time constant of the fading
   static constexpr double kCorrelated = 9;  ///< points that count as one with independent error
+  /// Largest share of noise in the variation of the inverse depth, as the motion would be too short by about that.
+  static constexpr double kMostNoise = 0.01;
 
   double prior = 0;  ///< 1/m, standard deviation of each coefficient; 0: no bias is assumed or learnt
 
@@ -50,18 +56,40 @@ class DepthBiasLearning {
     weighted_ *= keep;
     if (!(prior > 0)) return;
     ResidualSums<kTerms> sums;
+    Variation variation;
     const double to_s = 2.0 / image.width(), to_t = 2.0 / image.height();
     visit_fitting(points, 1, image, camera, a, settings, [&](const FittingPoint& p) {
-      sums.add(p, -p.dr_dq * DepthBias::terms(to_s * static_cast<double>(points.u[p.i]) - 1,
-                                              to_t * static_cast<double>(points.v[p.i]) - 1));
+      const Terms terms = DepthBias::terms(to_s * static_cast<double>(points.u[p.i]) - 1,
+                                           to_t * static_cast<double>(points.v[p.i]) - 1);
+      sums.add(p, -p.dr_dq * terms);
+      variation.add(terms, static_cast<double>(points.q[p.i]), static_cast<double>(points.sigma_q[p.i]),
+                    p.weight * p.dr_dq * p.dr_dq);
     });
-    add(sums, points.bias);
+    if (variation.share_of_noise() < kMostNoise) add(sums, points.bias);
   }
 
  private:
   static constexpr int kTerms = DepthBias::kTerms;
   using Terms = DepthBias::Terms;
   using Information = Eigen::Matrix<double, kTerms, kTerms>;
+
+  /// Variation of the points' inverse depth that no bias explains.
+  class Variation {
+   public:
+    void add(const Terms& terms, double q, double sigma, double weight) {
+      Row row;
+      row << terms, q;
+      sums_.noalias() += (weight * row) * row.transpose();
+      noise_ += weight * sigma * sigma;
+    }
+    /// Share of it that is noise; 1 if there is none.
+    double share_of_noise() const;
+
+   private:
+    using Row = Eigen::Matrix<double, kTerms + 1, 1>;
+    Eigen::Matrix<double, kTerms + 1, kTerms + 1> sums_ = Eigen::Matrix<double, kTerms + 1, kTerms + 1>::Zero();
+    double noise_ = 0;
+  };
 
   /// Adds a frame's information about the bias.
   void add(const ResidualSums<kTerms>& sums, const DepthBias& taken);

@@ -13,7 +13,7 @@ DOT_BEGIN_NAMESPACE
 struct CameraStep {
   CameraStatus status = CameraStatus::FirstFrame;        ///< how the motion was found
   double seconds = 0;                                    ///< since the previous frame; 0: there is none
-  SE3d T_cur_prev;                                       ///< T_c of the paper, the mean of all rows
+  SE3d T_cur_prev;                                       ///< T_c of the paper, for all rows together
   Matrix6<double> covariance = Matrix6<double>::Zero();  ///< of the left twist of T_cur_prev
   RollingShutter rolling;                                ///< what it leaves out; zero if that may be chance
   Alignment alignment;                                   ///< of the background, if there was one

@@ -83,13 +83,15 @@ class CameraTracker {
     held_ = refuted_ = false;
     velocity_known_ = false;
     steady_ = 0;
+    turning_rows_ = 0;
     velocity_.setZero();
     correlation_ = {};
   }
 
  private:
-  static constexpr double kSteady = 2;   ///< intervals in a row that make a velocity steady
-  static constexpr double kKept = 0.25;  ///< share of the reach up to which an interval keeps the velocity
+  static constexpr double kSteady = 2;         ///< intervals in a row that make a velocity steady
+  static constexpr double kShareOfNew = 0.25;  ///< of a frame in `turning_rows_`: three in a row make it the most
+  static constexpr double kKept = 0.25;        ///< share of the reach up to which an interval keeps the velocity
 
   /// T_cur_prev of each start, the most trusted first: from the host, and at constant velocity.
   void predict(const HostMotion& host, double seconds);
@@ -105,6 +107,7 @@ class CameraTracker {
   Vector6<double> velocity_ = Vector6<double>::Zero();  ///< twist per second
   bool velocity_known_ = false;                         ///< whether it is of the last interval
   int steady_ = 0;                                      ///< intervals in a row that kept the velocity
+  double turning_rows_ = 0;                             ///< share of the last frames whose rows turn (RollingShutter)
   UsualCorrelation correlation_;
   FirstIntervals first_intervals_;
   std::vector<RevisedInterval> revised_;

@@ -25,7 +25,8 @@ DOT_BEGIN_NAMESPACE
 /// have spoilt that motion. So suspected edges are excluded on trial if they are many, or if the motion is *refuted*:
 /// it explains the change of less than a quarter of the others. A large moving object without a mask refutes a right
 /// motion, too. So only edges that the refuted motion leaves where they are can have spoilt it. They are admitted again
-/// if the motion that is measured without them explains that they stay.
+/// if the motion that is measured without them explains that they stay. Where edges stay on more than a third of the
+/// image, none becomes suspect: then the camera stands, and what moves is an object.
 class FixedParts {
  public:
   static constexpr double kLeastShare = 0.04;  ///< of the image; less does not hold the camera
@@ -39,6 +40,9 @@ class FixedParts {
     known_ = known_ && step.known();
     if (!edges_.add(frame, background)) return false;
     resize(edges_.index(0, edges_.rows()));
+    std::size_t staying = 0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) staying += edges_.has_edges(i) && edges_.stays(i);
+    scene_stays_ = static_cast<double>(staying) > kScene * static_cast<double>(cells_.size());
     if (edges_.has_two_frames()) compare(frame.depth.levels[edges_.level()], camera);
     T_cur_last_ = {};
     known_ = true;
@@ -71,7 +75,7 @@ class FixedParts {
     edges_.forget();
     for (Cell& cell : cells_) cell = {};
     T_cur_last_ = {};
-    known_ = true, compared_ = false, excludes_ = false;
+    known_ = true, compared_ = false, excludes_ = false, scene_stays_ = false;
     refuted_ = 0;
     share_ = 0;
   }
@@ -85,6 +89,7 @@ class FixedParts {
   static constexpr int kLeastCompared = 5;    ///< cells
   static constexpr int kTrial = 8;            ///< frames that count, after which a trial is over
   static constexpr double kMoving = 0.4;      ///< share of the cells with edges: some of them stay in any scene
+  static constexpr double kScene = 1.0 / 3;   ///< of the image: what stays on so much of it is the scene
   static constexpr double kManyShare = 0.08;  ///< of the image, that is excluded on trial though the motion seems right
   static constexpr std::size_t kFarther = 2;  ///< bins
   static constexpr std::size_t kBins = 96;    ///< of the inverse depth, four an octave
@@ -138,7 +143,7 @@ class FixedParts {
         cell.shift = shift.norm();
         changed += tells;
         explained += tells && change.is_explained();
-        if (is_asked && change.is_contradicted()) {
+        if (is_asked && !scene_stays_ && change.is_contradicted()) {
           const float length = shift.norm();
           const float shorten = length > kMostShift ? kMostShift / length : 1;
           cell.crossed += edges_.crossing(column, row, shorten * shift.x(), shorten * shift.y());
@@ -172,6 +177,7 @@ class FixedParts {
   /// Begins a trial of the cells that stay though many that are at least as far move, if there are many of them or if
   /// the motion is refuted.
   void suspect() {
+    if (scene_stays_) return;
     std::array<int, kBins> all{}, moving{};  // cells at least as far
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       if (!(cells_[i].q > 0)) continue;
@@ -236,6 +242,7 @@ class FixedParts {
   SE3d T_cur_last_;                  ///< camera motion from the last frame that counted to the newest one
   bool known_ = true;                ///< whether it was measured
   bool compared_ = false;            ///< whether `refuted_` has a value
+  bool scene_stays_ = false;         ///< edges stay on too much of the image for a fixed part
   bool excludes_ = false;            ///< whether the fixed parts are large enough to matter
   float refuted_ = 0;                ///< mean over the last frames that count, 0 to 1
   double share_ = 0;                 ///< see `share`

@@ -24,12 +24,13 @@ DOT_BEGIN_NAMESPACE
 /// small and left out. A hand that shakes, or a robot that vibrates, gives the first and the last row motions that
 /// differ by some pixels. The alignment takes up a part G y of it, as a translation mostly, and its covariance from the
 /// residuals does not say so. What stands then seems to move. So y is measured from the residuals of the background,
-/// together with the pose, and used if it is beyond chance.
-/// A moving object in the background that no mask shows can imitate such a turn; the covariance is too large then.
+/// together with the pose. Beyond chance it widens the covariance. A moving object in the background that no mask shows
+/// can imitate it, so it corrects the motion only if most of the last frames had such a turn.
 struct RollingShutter {
   Vector3<double> turn = Vector3<double>::Zero();        ///< y, radians; zero if it may be chance
   Matrix3<double> covariance = Matrix3<double>::Zero();  ///< of y
   Eigen::Matrix<double, 6, 3> in_motion = Eigen::Matrix<double, 6, 3>::Zero();  ///< G: left twist of T_c by y
+  bool is_usual = false;  ///< most of the last frames had such a turn
 
   /// @param points of the background. @param image level 0. @param a their alignment to it. @param covariance_scale
   /// CameraSettings::covariance_scale.

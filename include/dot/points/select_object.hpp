@@ -25,8 +25,8 @@ namespace selecting {
 
 constexpr int kLargeArea = 2500;       ///< pixels
 constexpr double kLevelRelief = 0.15;  ///< largest half size of an object, share of its distance, for constant depth
-constexpr float kNearer = 1.15f;       ///< inverse depth over that of a surface that it hides
-constexpr float kOwnRelief = 0.9f;     ///< the same limit is higher by 1 / this within a mask, as objects have relief
+// Inverse depth of a surface over that of one beside it that it hides. Objects have relief, so less is enough outside.
+constexpr float kNearerOutside = 1.15f, kNearerInside = 1.28f;
 
 /// Sets work.mask to the pixels of an object's box that may be points. They are in its eroded mask, its surface
 /// (work.surface) is measured there, and no nearer surface is beside them: neither outside the mask, nor the object
@@ -65,7 +65,7 @@ inline void admit(ImageView<const float> frame, const Box& box, ImageView<const 
     std::copy(depth + begin, depth + end, row + kReach + begin);
     if (y >= 0 && y < height) {
       const std::uint8_t* inside = mask.row(y);
-      for (int x = 0; x < width; ++x) row[kReach + x] *= inside[x] ? kOwnRelief : 1;
+      for (int x = 0; x < width; ++x) row[kReach + x] *= inside[x] ? kNearerOutside / kNearerInside : 1;
     }
     float* out = work.nearer.row((y + kReach) >> shift);
     if (!is_large) {
@@ -94,7 +94,7 @@ inline void admit(ImageView<const float> frame, const Box& box, ImageView<const 
     std::uint8_t* __restrict may = work.mask.row(y);
     for (int x = 0; x < width; ++x) {
       const float other = depth[x] > 0 ? 0.0f : level, q = surface[x] > 0 ? surface[x] : other;
-      const int admitted = (nearer[x] <= kNearer * q + slack) & (q > 0) & (outside[x] == 0);
+      const int admitted = (nearer[x] <= kNearerOutside * q + slack) & (q > 0) & (outside[x] == 0);
       may[x] = admitted ? 255 : 0;
     }
   }

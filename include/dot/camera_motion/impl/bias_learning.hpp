@@ -19,6 +19,13 @@ DOT_INLINE DepthBias DepthBiasLearning::bias() const {
   return out;
 }
 
+DOT_INLINE double DepthBiasLearning::Variation::share_of_noise() const {
+  const Information terms = sums_.topLeftCorner<kTerms, kTerms>();
+  const Terms mixed = sums_.topRightCorner<kTerms, 1>();
+  const double variation = sums_(kTerms, kTerms) - mixed.dot(Eigen::LDLT<Information>(terms).solve(mixed));
+  return variation > noise_ ? noise_ / variation : 1;
+}
+
 DOT_INLINE void DepthBiasLearning::add(const ResidualSums<kTerms>& sums, const DepthBias& taken) {
   const auto marginal = sums.marginal();
   const Information information = marginal.information / kCorrelated;

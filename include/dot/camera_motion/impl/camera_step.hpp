@@ -9,7 +9,7 @@ DOT_BEGIN_NAMESPACE
 
 DOT_INLINE CameraStep CameraStep::at_row(double h) const {
   CameraStep out = *this;
-  if (rolling.turn.isZero(0)) return out;
+  if (!rolling.is_usual) return out;
   out.T_cur_prev = SE3d::exp(rolling.twist(h)) * T_cur_prev;
   out.covariance += rolling.covariance_of_row(h) - rolling.covariance_of_all();
   return out;

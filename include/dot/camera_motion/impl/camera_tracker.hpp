@@ -46,6 +46,9 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
     first_intervals_.revise(background_, cur, step, camera, estimator, aligner, workspace, revised_);
     first_intervals_.add(background_, step, searched || !revised_.empty());
   }
+  const bool rows_turn = !step.rolling.turn.isZero(0);
+  if (step.known()) turning_rows_ += kShareOfNew * ((rows_turn ? 1 : 0) - turning_rows_);
+  step.rolling.is_usual = rows_turn && turning_rows_ > 0.5 && background_.seconds == 0;
   refuted_ = !revised_.empty() || (held_ && !host.motion);
   held_ = false;
   const bool kept = (step.T_cur_prev.t - at_constant_velocity).norm() < kKept * estimator.reach(seconds);

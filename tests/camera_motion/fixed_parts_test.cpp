@@ -144,6 +144,7 @@ TEST(FixedParts, AreNotASceneInWhichALorryPasses) {
     Setting setting;
     setting.measured = measured;
     setting.first_row = 120;
+    setting.part_distance = 8;  // the scene behind it
     Camera camera(setting);
     camera.drive(3);
     EXPECT_FALSE(camera.found) << measured;

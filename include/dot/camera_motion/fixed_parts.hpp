@@ -40,9 +40,7 @@ class FixedParts {
     known_ = known_ && step.known();
     if (!edges_.add(frame, background)) return false;
     resize(edges_.index(0, edges_.rows()));
-    std::size_t staying = 0;
-    for (std::size_t i = 0; i < cells_.size(); ++i) staying += edges_.has_edges(i) && edges_.stays(i);
-    scene_stays_ = static_cast<double>(staying) > kScene * static_cast<double>(cells_.size());
+    scene_stays_ = scene_stays();
     if (edges_.has_two_frames()) compare(frame.depth.levels[edges_.level()], camera);
     T_cur_last_ = {};
     known_ = true;
@@ -81,15 +79,15 @@ class FixedParts {
   }
 
  private:
-  static constexpr float kKeep = 0.8f;        ///< of `crossed`, from one frame that counts to the next
-  static constexpr float kMostShift = 1.5f;   ///< pixels of the level: longer ones tell no more
-  static constexpr float kHeld = 1;           ///< the same; its motion moves what holds the camera by less
-  static constexpr float kCrossed = 2.5f;     ///< pixels of the level that an edge should have moved across itself
-  static constexpr float kSuspected = 5;      ///< the same, assumed where the motion is refuted: a trial of four frames
-  static constexpr int kLeastCompared = 5;    ///< cells
-  static constexpr int kTrial = 8;            ///< frames that count, after which a trial is over
-  static constexpr double kMoving = 0.4;      ///< share of the cells with edges: some of them stay in any scene
-  static constexpr double kScene = 1.0 / 3;   ///< of the image: what stays on so much of it is the scene
+  static constexpr float kKeep = 0.8f;       ///< of `crossed`, from one frame that counts to the next
+  static constexpr float kMostShift = 1.5f;  ///< pixels of the level: longer ones tell no more
+  static constexpr float kHeld = 1;          ///< the same; its motion moves what holds the camera by less
+  static constexpr float kCrossed = 2.5f;    ///< pixels of the level that an edge should have moved across itself
+  static constexpr float kSuspected = 5;     ///< the same, assumed where the motion is refuted: a trial of four frames
+  static constexpr int kLeastCompared = 5;   ///< cells
+  static constexpr int kTrial = 8;           ///< frames that count, after which a trial is over
+  static constexpr double kMoving = 0.4;     ///< share of the cells with edges: some of them stay in any scene
+  static constexpr double kMostShare = 1.0 / 3;  ///< of the image: what stays on more of it is the scene
   static constexpr double kManyShare = 0.08;  ///< of the image, that is excluded on trial though the motion seems right
   static constexpr std::size_t kFarther = 2;  ///< bins
   static constexpr std::size_t kBins = 96;    ///< of the inverse depth, four an octave
@@ -174,6 +172,13 @@ class FixedParts {
     return static_cast<std::size_t>(std::clamp(static_cast<int>(bits >> 21) - kFirst, 0, static_cast<int>(kBins) - 1));
   }
 
+  /// Whether edges stay on too much of the image for a part of it: then an object moves before a camera that stands.
+  bool scene_stays() const {
+    int staying = 0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) staying += edges_.has_edges(i) && edges_.stays(i);
+    return staying > kMostShare * static_cast<double>(cells_.size());
+  }
+
   /// Begins a trial of the cells that stay though many that are at least as far move, if there are many of them or if
   /// the motion is refuted.
   void suspect() {
@@ -242,7 +247,7 @@ class FixedParts {
   SE3d T_cur_last_;                  ///< camera motion from the last frame that counted to the newest one
   bool known_ = true;                ///< whether it was measured
   bool compared_ = false;            ///< whether `refuted_` has a value
-  bool scene_stays_ = false;         ///< edges stay on too much of the image for a fixed part
+  bool scene_stays_ = false;         ///< see `scene_stays`
   bool excludes_ = false;            ///< whether the fixed parts are large enough to matter
   float refuted_ = 0;                ///< mean over the last frames that count, 0 to 1
   double share_ = 0;                 ///< see `share`

@@ -120,9 +120,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame, c
     CameraRevision& out = revised_.emplace_back();
     out.frame_id = r.frame_id;
     out.timestamp = r.timestamp;
-    const CameraStep step = r.step.at_row(kMiddleRow);
-    out.T_cur_prev = step.T_cur_prev.row_major();
-    writing::copy(step.covariance, out.covariance);
+    out.T_cur_prev = r.step.T_cur_prev.row_major();
+    writing::copy(r.step.covariance, out.covariance);
   }
   result_.revised = {revised_.data(), revised_.size()};
   objects_.assign(dropped_.begin(), dropped_.end());

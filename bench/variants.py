@@ -10,6 +10,8 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
   mirror        left and right exchanged
   crop          the middle half, left to right
   slow          every other frame
+  twice         each frame twice, as JPEG files of a camera that repeats its images would be: noise of one grey value,
+                quality 90
   reverse       the frames from the last to the first
   late          without the first 13 frames
   skip1, skip2, skip3
@@ -233,6 +235,9 @@ def changed(image, folder, kind, random, focal_baseline):
         return image[:, image.shape[1] // 4 :][:, : image.shape[1] // 2]
     if kind == "flicker" and folder == "rgb":
         return np.clip(random.uniform(0.75, 1.25) * image + random.uniform(-10, 10), 0, 255).astype(np.uint8)
+    if kind == "twice" and folder == "rgb":
+        noisy = np.clip(np.round(image + random.normal(0, 1, image.shape)), 0, 255).astype(np.uint8)
+        return cv2.imdecode(cv2.imencode(".jpg", noisy, [cv2.IMWRITE_JPEG_QUALITY, 90])[1], cv2.IMREAD_UNCHANGED)
     if kind in NOISE and folder == "rgb":
         gain, sigma = NOISE[kind]
         return np.clip(gain * image + random.normal(0, sigma, image.shape), 0, 255).astype(np.uint8)
@@ -256,6 +261,8 @@ def camera(line, kind):
         cx, width = cx - width // 4, width // 2
     if kind == "slow":
         fps /= 2
+    if kind == "twice":
+        fps *= 2
     if kind in BEAMS:
         baseline = 0
     return f"{fx} {fy} {cx} {cy} {int(width)} {int(height)} {baseline} {fps}\n"
@@ -283,15 +290,20 @@ def make(kind, out, sequence):
     frames = sorted(int(os.path.basename(f)[:-4]) for f in glob.glob(f"{sequence}/instance/*.png"))
     with open(f"{sequence}/intrinsics.txt") as f:
         intrinsics = [float(v) for v in f.readline().split()]
-    number = {frame: i for i, frame in enumerate(order(frames, kind))}
+    copies = 2 if kind == "twice" else 1
+    number = {frame: range(copies * i, copies * (i + 1)) for i, frame in enumerate(order(frames, kind))}
     for name in IMAGES:
         for path in sorted(glob.glob(f"{sequence}/{name}/*")):
             stem, suffix = os.path.splitext(os.path.basename(path))
             if int(stem) not in number:
                 continue
-            target = f"{folder}/{name}/{number[int(stem)]:06d}"
             os.makedirs(f"{folder}/{name}", exist_ok=True)
-            if suffix in (".png", ".jpg"):
+            targets = [f"{folder}/{name}/{i:06d}" for i in number[int(stem)]]
+            if suffix not in (".png", ".jpg"):
+                for target in targets:
+                    shutil.copy(path, target + suffix)
+                continue
+            for target in targets:
                 image = cv2.imread(path, cv2.IMREAD_UNCHANGED)
                 if name == "depth" and kind in (*BEAMS, "holes50", "edges"):
                     image = thinned(image, kind, int(stem), sequence, intrinsics, random)
@@ -306,15 +318,13 @@ def make(kind, out, sequence):
                 else:
                     image = changed(image, name, kind, random, intrinsics[0] * intrinsics[6])
                 cv2.imwrite(f"{target}.png", np.ascontiguousarray(image), [cv2.IMWRITE_PNG_COMPRESSION, 1])
-            else:
-                shutil.copy(path, target + suffix)
     with open(f"{sequence}/intrinsics.txt") as f, open(f"{folder}/intrinsics.txt", "w") as g:
         g.write(camera(f.readline(), kind))
         g.write("depth lidar\n" if kind in BEAMS else f.read())
     with open(f"{sequence}/objects.csv") as f, open(f"{folder}/objects.csv", "w") as g:
         g.write(f.readline())
         rows = [line.split(",", 1) for line in f]
-        rows = [(number[int(frame)], rest) for frame, rest in rows if int(frame) in number]
+        rows = [(i, rest) for frame, rest in rows for i in number.get(int(frame), ())]
         g.writelines(f"{i},{rest}" for i, rest in sorted(rows, key=lambda row: row[0]))
     for name, before in POSES:
         if not os.path.exists(f"{sequence}/{name}"):
@@ -330,13 +340,14 @@ def make(kind, out, sequence):
                     pose = shaken(pose, jolt(frame))
                 if kind == "rolling" and not before:
                     pose = shaken(pose, hand(frame))
-                poses.append((number[frame], ([str(number[frame])] + v[1:before] if before else []) + pose))
+                for n in number[frame]:
+                    poses.append((n, ([str(n)] + v[1:before] if before else []) + pose))
         with open(f"{folder}/{name}", "w") as g:
             g.writelines(" ".join(words) + "\n" for _, words in sorted(poses, key=lambda pose: pose[0]))
 
 
 def main():
-    kinds = "half third mirror crop slow reverse late skip1 skip2 skip3 bands flicker noise grain dark shake rolling"
+    kinds = "half third mirror crop slow twice reverse late skip1 skip2 skip3 bands flicker noise grain dark shake rolling"
     kinds += " bonnet caption near bias lidar64 lidar32 lidar16 holes50 edges wide"
     if len(sys.argv) < 4 or sys.argv[1] not in kinds.split():
         sys.exit(__doc__)

@@ -36,6 +36,7 @@ struct Setting {
   bool is_striped = false;         ///< that part has edges along the rows alone, which stay though it moves
   double measured = 1;             ///< the camera's motion, over that to the wall
   int repeats = 0;                 ///< FrameData::repeats of each frame
+  int stands_every = 0;            ///< frames of which it is known of one that the camera stands; 0: of none
 };
 
 class Camera {
@@ -91,6 +92,7 @@ class Camera {
     step.status = CameraStatus::Tracked;
     step.seconds = 1 / setting.rate;
     step.T_cur_prev = dot::SE3d::translation(Vector3<double>(-setting.measured * way, 0, 0));
+    step.alignment.stands = setting.stands_every > 0 && frames_++ % setting.stands_every == 0;
     found |= parts.look(frame_, background_, step, camera_);
   }
 
@@ -110,6 +112,7 @@ class Camera {
   dot::FrameData frame_;
   Image<std::uint8_t> wall_ = paint(1, 1.0 / kSteps, 2048), part_ = paint(2, 1, kWidth);
   double position_ = 0, time_ = 1000;
+  int frames_ = 0;
 };
 
 TEST(FixedParts, AreFoundWhileTheSceneMovesAtAnyFrameRate) {
@@ -151,6 +154,20 @@ TEST(FixedParts, AreNotASceneInWhichALorryPasses) {
     EXPECT_EQ(camera.of_part(), 0) << measured;
     EXPECT_EQ(camera.parts.share(), 0) << measured;
   }
+}
+
+TEST(FixedParts, AreNotSuspectedForAWhileWhereTheCameraStood) {
+  Setting setting;
+  setting.measured = 0;
+  setting.stands_every = 6;
+  Camera camera(setting);
+  camera.drive(3);
+  EXPECT_FALSE(camera.found);
+  EXPECT_EQ(camera.of_part(), 0);
+  setting.stands_every = 1000;  // the first frame alone
+  Camera held(setting);
+  held.drive(5);
+  EXPECT_TRUE(held.found);
 }
 
 TEST(FixedParts, AreNotWhatTheCameraPassesBesideAnotherMotion) {

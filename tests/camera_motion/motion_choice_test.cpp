@@ -19,8 +19,8 @@ using dot::SE3d;
 using dot::Vector3;
 using namespace dot::test;
 
-/// Two walls side by side, 6 m ahead. The left one stands. The right one moves to the right at 0.2 m a frame, as if the
-/// camera went to the left. Points of a wall are dense or thin.
+/// Two walls side by side, 6 m ahead. The left one is the world, which the camera passes to the left. The right one
+/// moves to the right at 0.2 m a frame besides. Points of a wall are dense or thin.
 struct TwoWalls {
   const dot::Pinhole camera{small_camera()};
   Rendering before, after;
@@ -31,7 +31,8 @@ struct TwoWalls {
   std::vector<Alignment> minima;  ///< the world's motion, the right wall's
   static constexpr double kShift = 0.2;
 
-  TwoWalls() {
+  /// @param moved metres by which the camera moves.
+  explicit TwoWalls(double moved = 0.1) {
     Scene scene;
     const auto wall = [](double x, unsigned seed) {
       Body body;
@@ -41,10 +42,11 @@ struct TwoWalls {
     };
     scene.bodies = {wall(-5, 1), wall(5, 2)};
     before = scene.render(camera, SE3d{});
-    scene.bodies[1].T_world_body = SE3d::translation(Vector3<double>(kShift, 0, 0));
+    scene.bodies[0].T_world_body = SE3d::translation(Vector3<double>(moved, 0, 0));
+    scene.bodies[1].T_world_body = SE3d::translation(Vector3<double>(moved + kShift, 0, 0));
     after = scene.render(camera, SE3d{});
     past.build(before.grey.view(), 3), now.build(after.grey.view(), 3);
-    for (const double x : {0.0, kShift}) {
+    for (const double x : {moved, moved + kShift}) {
       Alignment a;
       a.state.T = SE3d::translation(Vector3<double>(x, 0, 0));
       minima.push_back(a);
@@ -127,6 +129,25 @@ TEST(MotionChoice, CloseVotesAreADoubtOfTheDistanceBetweenTheTwo) {
   EXPECT_NEAR(choice.doubt[0], TwoWalls::kShift * TwoWalls::kShift, 1e-9);
   EXPECT_NEAR(choice.doubt[2], TwoWalls::kShift * TwoWalls::kShift, 1e-9);
   EXPECT_LT(walls.minima[choice.chosen].margin, 0.15);
+}
+
+// The left wall stands, and the right one has more of the image.
+TEST(MotionChoice, ACameraThatStandsNeedsNoMajority) {
+  TwoWalls moving;
+  EXPECT_EQ(moving.choose(TwoWalls::both(moving.points(false, 7, 30, 210), moving.points(true, 7))).chosen, 1u);
+  EXPECT_FALSE(moving.minima[0].stands || moving.minima[1].stands);
+  TwoWalls walls(0);
+  const PointSet all = TwoWalls::both(walls.points(false, 7, 30, 210), walls.points(true, 7));
+  const MotionChoice choice = walls.choose(all);
+  EXPECT_EQ(choice.chosen, 0u);
+  EXPECT_EQ(choice.rival, 1u);
+  EXPECT_EQ(choice.doubt.norm(), 0);
+  EXPECT_TRUE(walls.minima[0].stands);
+  EXPECT_GT(walls.minima[0].margin, 0.15);
+  EXPECT_EQ(walls.choose(all, walls.minima[1].state.T, 0.1).chosen, 1u) << "it cannot have stopped";
+  TwoWalls little(0.02);
+  EXPECT_EQ(little.choose(TwoWalls::both(little.points(false, 7, 30, 210), little.points(true, 7))).chosen, 1u)
+      << "less than a pixel";
 }
 
 }  // namespace

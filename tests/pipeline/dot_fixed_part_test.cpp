@@ -17,6 +17,7 @@ namespace {
 
 using dot::Dot;
 using dot::Result;
+using dot::SE3d;
 using dot::State;
 using dot::Vector3;
 using namespace dot::test;
@@ -94,6 +95,36 @@ TEST(FixedPart, IsNotTheSceneInWhichALorryPassesAStandingCamera) {
     if (i < 2) continue;
     const auto& T = result.camera.T_cur_prev;
     EXPECT_LT(std::hypot(T[3], T[7], T[11]), 0.02) << i;
+    const dot::ObjectResult* car = object_on(result, film.truth().ids, parked);
+    EXPECT_FALSE(car && car->state == State::Moving) << i << ' ' << describe(car);
+  }
+}
+
+// A belt without a mask starts to run after a second, at .8 m/s, and carries an object. It and the object have more of
+// the image than what stands and has texture.
+TEST(Belt, BeforeAStandingCameraIsNotTheScene) {
+  Film<> film;
+  film.degradation.noise = 6;
+  add_pillars(film);
+  film.add(parked, straight({2.5, -0.9, 9}));
+  constexpr std::uint32_t belt = 9;
+  const auto from = [](const Vector3<double>& start) {
+    return [start](double t) { return SE3d::translation(start + Vector3<double>(0.8 * std::max(0.0, t - 1), 0, 0)); };
+  };
+  film.add(box(belt, {12, 1.5, 0.8}, 900, 0.25, 1.2), from({-3, 1, 6}));
+  film.add(box(2, {0.4, 0.3, 0.3}, 950, 0.15, 0.6), from({-1.5, 0.6, 4.8}));
+  film.spoil = [](int, Rendering& seen) {
+    for (int y = 0; y < seen.ids.height(); ++y)
+      for (int x = 0; x < seen.ids.width(); ++x)
+        if (seen.ids(x, y) == belt) seen.ids(x, y) = 0;
+  };
+  Dot<> dot = stereo_dot();
+  for (int i = 0; i < 40; ++i) {
+    const Result& result = film.next(dot);
+    EXPECT_NE(result.diagnosis.reason, dot::Suspicion::FixedPart) << i;
+    if (i < 2) continue;
+    const auto& T = result.camera.T_cur_prev;
+    EXPECT_LT(std::hypot(T[3], T[7], T[11]), 0.01) << i;
     const dot::ObjectResult* car = object_on(result, film.truth().ids, parked);
     EXPECT_FALSE(car && car->state == State::Moving) << i << ' ' << describe(car);
   }

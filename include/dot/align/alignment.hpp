@@ -30,6 +30,8 @@ struct Alignment {
   double depth_spread = 0;     ///< their robust sigma about the median
   /// Share by which the cost of the next best minimum is higher, if several were compared.
   double margin = std::numeric_limits<double>::infinity();
+  /// Of a camera's motion: it is zero, and another one explains a large part of the image (StandingCamera).
+  bool stands = false;
   int iterations = 0;      ///< of Gauss-Newton, all levels
   bool converged = false;  ///< on the last level: the last step was small
 };

@@ -20,28 +20,33 @@ struct CellVotes {
   static constexpr int kMinPoints = 4;     ///< of a cell that may vote
   static constexpr float kClearly = 0.6f;  ///< share of the other motion's cost
 
-  int first = 0;                                    ///< cells that voted for the first motion
-  int second = 0;                                   ///< cells that voted for the second motion
-  std::array<bool, kColumns * kRows> second_won{};  ///< cells that voted for the second motion, row by row
+  /// A value for each cell, row by row: mean inverse depth of its points, 1/m, or 0.
+  using Depths = std::array<float, kColumns * kRows>;
+
+  int first = 0;      ///< cells that voted for the first motion
+  int second = 0;     ///< cells that voted for the second motion
+  Depths first_q{};   ///< of the cells that voted for the first motion
+  Depths second_q{};  ///< of the cells that voted for the second motion
 
   /// Adds the votes of some points. @param cost_first, cost_second of each point; negative where it is not seen.
   void add(const PointSet& points, const std::vector<float>& cost_first, const std::vector<float>& cost_second,
            int width, int height) {
     struct Cell {
       int count = 0;
-      float first = 0, second = 0;
+      float first = 0, second = 0, q = 0;
     };
     std::array<Cell, kColumns * kRows> cells{};
     for (std::size_t i = 0; i < cost_first.size(); ++i) {
       if (cost_first[i] < 0 || cost_second[i] < 0) continue;
       Cell& cell = cells[cell_of(points, i, width, height)];
-      ++cell.count, cell.first += cost_first[i], cell.second += cost_second[i];
+      ++cell.count, cell.first += cost_first[i], cell.second += cost_second[i], cell.q += points.q[i];
     }
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const Cell& cell = cells[k];
       if (cell.count < kMinPoints) continue;
-      first += cell.first < kClearly * cell.second;
-      if (cell.second < kClearly * cell.first) ++second, second_won[k] = true;
+      const float q = cell.q / static_cast<float>(cell.count);
+      if (cell.first < kClearly * cell.second) ++first, first_q[k] = q;
+      if (cell.second < kClearly * cell.first) ++second, second_q[k] = q;
     }
   }
 

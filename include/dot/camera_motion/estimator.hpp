@@ -216,13 +216,15 @@ struct CameraMotionEstimator {
     CellVotes votes;
     votes.add(problem.points, cost, rivals, width, height);
     own.take_if(problem.points, [&](std::size_t i) {
-      const bool is_rivals = rivals[i] >= 0 && (cost[i] > rivals[i] ||
-                                                votes.second_won[CellVotes::cell_of(problem.points, i, width, height)]);
+      const bool is_rivals =
+          rivals[i] >= 0 &&
+          (cost[i] > rivals[i] || votes.second_q[CellVotes::cell_of(problem.points, i, width, height)] > 0);
       return !is_rivals;
     });
     const AlignProblem<Camera> rest{own, problem.image, problem.camera};
     Alignment a = aligner.align(rest, candidates[choice.chosen].state, 0, 0);
     a.margin = candidates[choice.chosen].margin;
+    a.stands = candidates[choice.chosen].stands;
     aligner.reject_outliers_and_refit(rest, a, true);
     a.covariance.diagonal().template head<6>() += choice.doubt;
     return a;

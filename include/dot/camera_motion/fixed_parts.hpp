@@ -40,7 +40,8 @@ class FixedParts {
     known_ = known_ && step.known();
     if (!edges_.add(frame, background)) return false;
     resize(edges_.index(0, edges_.rows()));
-    scene_stays_ = scene_stays();
+    stood_ = step.alignment.stands ? kTrial : std::max(0, stood_ - 1);
+    scene_stays_ = stood_ > 0 || scene_stays();
     if (edges_.has_two_frames()) compare(frame.depth.levels[edges_.level()], camera);
     T_cur_last_ = {};
     known_ = true;
@@ -75,6 +76,7 @@ class FixedParts {
     T_cur_last_ = {};
     known_ = true, compared_ = false, excludes_ = false, scene_stays_ = false;
     refuted_ = 0;
+    stood_ = 0;
     share_ = 0;
   }
 
@@ -248,6 +250,7 @@ class FixedParts {
   bool known_ = true;                ///< whether it was measured
   bool compared_ = false;            ///< whether `refuted_` has a value
   bool scene_stays_ = false;         ///< see `scene_stays`
+  int stood_ = 0;                    ///< frames for which it is still known that the camera stood
   bool excludes_ = false;            ///< whether the fixed parts are large enough to matter
   float refuted_ = 0;                ///< mean over the last frames that count, 0 to 1
   double share_ = 0;                 ///< see `share`

@@ -12,6 +12,7 @@
 #include "dot/align/cell_votes.hpp"
 #include "dot/align/minima.hpp"
 #include "dot/align/settings.hpp"
+#include "dot/camera_motion/standing_camera.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -67,10 +68,24 @@ class MotionChoice {
     const auto can_reach = [&](std::size_t i) {
       return (candidates[i].state.T.t - predicted.t).norm() <= evidence.reach;
     };
+    const auto stands = [&](std::size_t i, const CellVotes::Depths& own, const CellVotes::Depths& others) {
+      if (!StandingCamera::is_scene(own, others)) return false;
+      AlignState zero = candidates[i].state;
+      zero.T = evidence.T_points_prev.inverse();
+      std::vector<float>& without = workspace.point_costs;
+      aligner.point_costs(problem, zero, 0, sigma, without);
+      return StandingCamera::is_zero(problem.points, without, costs.of(i), own, problem.camera.width(),
+                                     problem.camera.height(), settings.covariance_scale);
+    };
     for (int pass = 0; pass < 2; ++pass)  // the second one compares those before the chosen one with it
       for_each_other([&](std::size_t i, const CellVotes& votes) {
         if (votes.second == 0) return;
-        const bool wins = can_reach(i) == can_reach(chosen) ? votes.second > votes.first : can_reach(i);
+        bool wins = votes.second > votes.first;
+        if (can_reach(i) != can_reach(chosen))
+          wins = can_reach(i);
+        else if (const bool second_stands = stands(i, votes.second_q, votes.first_q);
+                 second_stands != stands(chosen, votes.first_q, votes.second_q))
+          wins = second_stands;
         if (wins) chosen = i;
       });
     Alignment& a = candidates[chosen];
@@ -80,7 +95,9 @@ class MotionChoice {
       if (!in_contest &&
           pose_distance(problem.points, problem.camera, candidates[i].state.T, a.state.T) <= kSameMinimum)
         return;
-      const double lead = in_contest ? 1.0 * votes.first / votes.second : costs.ratio(i, chosen);
+      double lead = in_contest ? 1.0 * votes.first / votes.second : costs.ratio(i, chosen);
+      if (in_contest && stands(chosen, votes.first_q, votes.second_q) && !stands(i, votes.second_q, votes.first_q))
+        a.stands = true, lead = std::max(lead, kSettled);
       a.margin = std::min(a.margin, std::max(0.0, lead - 1));
       if (in_contest && lead < least) least = lead, rival = i;
     });
@@ -96,6 +113,7 @@ class MotionChoice {
   static constexpr double kAtReach = 0.3;    ///< share of the cost by which a change by the reach or more must win
   static constexpr double kContested = 0.3;  ///< votes of the background for another minimum, over those for the chosen
   static constexpr int kMinVotes = 8;        ///< the same, at least
+  static constexpr double kSettled = 2;      ///< lead of a camera that stands, at least
   static constexpr double kMajority = 1.15;  ///< votes over those for the other, below which they are close
 
   /// Votes for the chosen minimum and for another one; all zero where there is no contest.

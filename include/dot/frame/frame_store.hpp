@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "dot/frame/flicker_removal.hpp"
 #include "dot/frame/frame.hpp"
 #include "dot/frame/frame_data.hpp"
+#include "dot/frame/repeated_image.hpp"
 #include "dot/image/convert.hpp"
 #include "dot/image/levels.hpp"
 #include "dot/kernel/kernels.hpp"
@@ -54,7 +54,9 @@ class FrameStore {
         build_depth(UnbiasedDepthRows(measured, settings.max_depth, bias, depth_rows_, kernels), noise, width, height,
                     levels, kernels, frame.depth);
     });
-    frame.repeats = previous && same(frame.pyramid.levels[0], previous->pyramid.levels[0]) ? previous->repeats + 1 : 0;
+    const bool repeated = repeated_.look(frame.pyramid, previous ? &previous->pyramid : nullptr);
+    frame.repeats = repeated ? previous->repeats + 1 : 0;
+    if (frame.repeats > FrameData::kLongestRun) repeated_.forget();
     return newest();
   }
 
@@ -69,11 +71,6 @@ class FrameStore {
 
  private:
   using Slot = std::shared_ptr<FrameData>;
-
-  static bool same(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b) {
-    const std::size_t size = static_cast<std::size_t>(a.width()) * static_cast<std::size_t>(a.height());
-    return a.width() == b.width() && a.height() == b.height() && std::memcmp(a.row(0), b.row(0), size) == 0;
-  }
 
   FramePtr newest() const { return frames_.back(); }
 
@@ -129,6 +126,7 @@ class FrameStore {
 
   std::vector<Slot> frames_;  ///< the last one is the newest
   Image<std::uint8_t> grey_rows_;
+  RepeatedImage repeated_;
   FlickerRemoval flicker_;
   Image<float> depth_rows_;
   std::vector<float> row_;

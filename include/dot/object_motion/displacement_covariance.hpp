@@ -74,8 +74,8 @@ Matrix6<double> displacement_covariance(const ReferencePair& pair, const Alignme
     V += variance * x * x.transpose();
   };
   add(a.depth_modes[0], kConstantMode * common * common + per_area * pixel * pixel);
-  add(a.depth_modes[1], kSlopeModes * common * common);
-  add(a.depth_modes[2], kSlopeModes * common * common);
+  add(a.depth_modes[1], kSlopeModes * common * common + reference.slope_variance);
+  add(a.depth_modes[2], kSlopeModes * common * common + reference.slope_variance);
   add(a.depth_modes[3], change * change);
   const double of_median = std::sqrt(std::max(per_area, kVarianceOfMedian / std::max(1, a.with_depth))) * pixel;
   add_contradicting_depth(pair, a, moved, std::hypot(change, of_median), of_fit, V);

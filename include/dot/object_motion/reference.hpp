@@ -17,6 +17,7 @@ struct ObjectReference {
   Vector3<double> centroid = Vector3<double>::Zero();  ///< of the points, camera axes of that frame, metres
   Matrix3<double> inertia = Matrix3<double>::Zero();   ///< of the points about it, see MotionEstimate
   Vector3<double> anchor = Vector3<double>::Zero();    ///< centre of its mask at its median depth; zero: no depth
+  double slope_variance = 0;                           ///< of an unknown tilt, at its border, 1/m^2
   int area = 0;                                        ///< pixels of its mask with its depth
   double timestamp = 0;                                ///< seconds
   CameraSince camera;                                  ///< the camera's motion since then

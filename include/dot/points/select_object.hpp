@@ -18,6 +18,7 @@ DOT_BEGIN_NAMESPACE
 struct ObjectPoints {
   int pixels_with_depth = 0;  ///< pixels of the mask on the object's surface
   float median_q = 0;         ///< 1/m
+  double slope_variance = 0;  ///< 1/m^2, of the depth at its border, that no point shows (`level_by_noise`)
   bool shape_known = false;   ///< whether these pixels give its shape; if not, there are no points
 };
 
@@ -100,6 +101,36 @@ inline void admit(ImageView<const float> frame, const Box& box, ImageView<const 
   }
 }
 
+/// Takes the share of the noise out of a plane's tilt, as a tilt within the noise would cause spurious radial motion.
+/// With the variance T of the plane's inverse depth over the object, and its part N from the noise, what is left of the
+/// tilt is 1 - N / T (James-Stein, positive part). The plane keeps the object's median at the middle of its pixels.
+/// @param step of the pixels that are looked at. @param relief that an object of this size may have, 1/m.
+/// @return variance, at the object's border, of the difference between the plane and a plane through its true surface,
+/// 1/m^2; 0 where no plane was fitted.
+inline double level_by_noise(ImageView<const float> surface, int step, float median_q, double relief, PlaneFit& plane) {
+  constexpr int kCorrelated = 45;        // pixels whose depths together count as one, as in Selector
+  constexpr double kAtBorder = 3;        // square of a tilt at the border, over its mean square
+  constexpr double kOfRelief = 1.0 / 3;  // a car's root mean square about its plane, over half of its size
+  double n = 0, u = 0, v = 0, uu = 0, uv = 0, vv = 0;
+  for (int y = 0; y < surface.height; y += step)
+    for (int x = 0; x < surface.width; x += step) {
+      if (!(surface(x, y) > 0)) continue;
+      const double du = x - surface.width / 2, dv = y - surface.height / 2;
+      n += 1, u += du, v += dv, uu += du * du, uv += du * dv, vv += dv * dv;
+    }
+  const double a = static_cast<double>(plane.du), b = static_cast<double>(plane.dv);
+  const bool is_fitted = plane.inliers > kCorrelated && n > 0;
+  const double each = n > 0 ? 1 / n : 0, mean_u = u * each, mean_v = v * each;
+  const double tilt = a * a * (uu * each - mean_u * mean_u) + 2 * a * b * (uv * each - mean_u * mean_v) +
+                      b * b * (vv * each - mean_v * mean_v);
+  const double of_slope = static_cast<double>(plane.variance) * kCorrelated / std::max(1, plane.inliers);
+  const double left = is_fitted && tilt > 0 ? std::max(0.0, 1 - 2 * of_slope / tilt) : 0;
+  plane.du = static_cast<float>(left * a);
+  plane.dv = static_cast<float>(left * b);
+  plane.q = median_q - static_cast<float>(left * (a * mean_u + b * mean_v));
+  return is_fitted ? kAtBorder * of_slope + kOfRelief * kOfRelief * relief * relief : 0;
+}
+
 }  // namespace selecting
 
 /// Selects the points of one object: inside its eroded mask, within the object's depth range, away from occluders.
@@ -158,9 +189,7 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
   }
   out.shape_known = true;
   if (flat) {
-    // A tilt within the noise would cause spurious radial motion, so constant depth is used.
-    plane.du = plane.dv = 0;
-    plane.q = out.median_q;
+    out.slope_variance = selecting::level_by_noise(work.surface.view(), step, out.median_q, relief, plane);
   }
   selecting::admit(frame, box, mask, area, flat ? out.median_q : 0, slack, work);
 

@@ -30,6 +30,7 @@ Reason ObjectTracker<Camera, Noise, Aligner>::make_reference(const FrameData& fr
   r.set_centroid();
   r.anchor = centre;
   r.area = found.pixels_with_depth;
+  r.slope_variance = found.slope_variance;
   return Reason::None;
 }
 

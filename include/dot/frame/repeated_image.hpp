@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The dot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+
+#include "dot/abi.hpp"
+#include "dot/image/image.hpp"
+#include "dot/image/pyramid.hpp"
+#include "dot/statistics/chi2.hpp"
+
+DOT_BEGIN_NAMESPACE
+
+/// Tells an image that was taken before from a new one, though a codec may have changed it. Drivers and conversions of
+/// the frame rate repeat images, and a video codec then gives them other noise.
+///
+/// In a repeated image nothing moves, not even what moved since the image before it. The change of the image is
+/// compared by cells of a grid. In each cell d = I_now - I_before at the pixels of gradient g gives a mean square,
+/// weighted by |g|^2, and the shift u that explains most of it, d = -g' u. An image is repeated if nearly no cell has a
+/// shift beyond its noise, and nearly none changed by more than a quarter of what the most changed ones did between
+/// images that were new.
+class RepeatedImage {
+ public:
+  /// Whether an image repeats the one before. @param before null: that is not known.
+  bool look(const Pyramid& now, const Pyramid* before) {
+    if (!before || now.size() != before->size()) {
+      usual_ = 0;
+      return false;
+    }
+    if (same(now.levels[0], before->levels[0])) return true;
+    const std::size_t level = now.size() > 1 ? 1 : 0;
+    const float most = compare(now.levels[level], before->levels[level]);
+    if (textured_ < kLeastTextured) return false;
+    if (moving_ <= kFew && most < kOfUsual * usual_) return true;
+    usual_ = most;
+    return false;
+  }
+
+  /// Takes a repeated image as new: it stays for longer than any driver repeats it.
+  void forget() { usual_ = 0; }
+
+ private:
+  static constexpr int kColumns = 16, kRows = 8;  ///< of the grid
+  static constexpr int kStep = 2;                 ///< each so-many-th pixel of each so-many-th row is compared
+  static constexpr int kFew = 2;                  ///< cells that may be wrong
+  static constexpr int kLeastTextured = 8;        ///< cells; less of an image tells nothing
+  static constexpr float kOfUsual = 0.25f;        ///< share of the change between new images
+  static constexpr float kLargest = 30;           ///< grey values; a change is not larger where an edge moved far
+  static constexpr float kLeastShift = 0.03f;     ///< pixels of the level
+  static constexpr float kLeastGradient = 2;      ///< grey values per pixel, root mean square of a cell with texture
+
+  static bool same(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b) {
+    const std::size_t size = static_cast<std::size_t>(a.width()) * static_cast<std::size_t>(a.height());
+    return a.width() == b.width() && a.height() == b.height() && std::memcmp(a.row(0), b.row(0), size) == 0;
+  }
+
+  struct Cell {
+    float n = 0, dd = 0, ww = 0, wdd = 0, uu = 0, uv = 0, vv = 0, ud = 0, vd = 0;
+
+    /// Mean square change, weighted by the square of the gradient.
+    float change() const { return wdd / ww; }
+    bool has_texture() const { return ww > kLeastGradient * kLeastGradient * n; }
+    /// Whether a shift explains the change by more than noise would.
+    bool moves() const {
+      const float det = uu * vv - uv * uv;
+      if (!(det > 1e-3f * ww * ww)) return false;
+      const float u = (vv * ud - uv * vd) / det, v = (uu * vd - uv * ud) / det;
+      const float explained = u * ud + v * vd, rest = std::max(0.0f, dd - explained);
+      return u * u + v * v > kLeastShift * kLeastShift &&
+             explained * (n - 2) > static_cast<float>(chi2::k5SigmaOf1) * rest;
+    }
+  };
+
+  /// Sets the number of moving cells. @return the change of the most changed cells but a few.
+  float compare(const Image<std::uint8_t>& now, const Image<std::uint8_t>& before) {
+    std::array<Cell, kColumns * kRows> cells{};
+    const int width = now.width(), height = now.height();
+    for (int y = 1; y + 1 < height; y += kStep) {
+      const std::uint8_t *a = now.row(y), *b = before.row(y), *above = before.row(y - 1), *below = before.row(y + 1);
+      Cell* row = cells.data() + (y * kRows / height) * kColumns;
+      for (int column = 0; column < kColumns; ++column) {
+        const int end = std::min(width - 1, (column + 1) * width / kColumns);
+        Cell sum = row[column];
+        for (int x = std::max(1, column * width / kColumns); x < end; x += kStep) {
+          const float d = std::clamp(static_cast<float>(a[x] - b[x]), -kLargest, kLargest);
+          const float gu = 0.5f * static_cast<float>(b[x + 1] - b[x - 1]);
+          const float gv = 0.5f * static_cast<float>(below[x] - above[x]);
+          const float w = gu * gu + gv * gv;
+          sum.n += 1, sum.dd += d * d, sum.ww += w, sum.wdd += w * d * d;
+          sum.uu += gu * gu, sum.uv += gu * gv, sum.vv += gv * gv, sum.ud += gu * d, sum.vd += gv * d;
+        }
+        row[column] = sum;
+      }
+    }
+    std::array<float, kColumns * kRows> changes{};
+    textured_ = moving_ = 0;
+    std::transform(cells.begin(), cells.end(), changes.begin(),
+                   [](const Cell& cell) { return cell.has_texture() ? cell.change() : 0.0f; });
+    for (const Cell& cell : cells) {
+      textured_ += cell.has_texture();
+      moving_ += cell.has_texture() && cell.moves();
+    }
+    std::nth_element(changes.begin(), changes.begin() + kFew, changes.end(), std::greater<>{});
+    return changes[kFew];
+  }
+
+  float usual_ = 0;  ///< change of the most changed cells between the last two images that were new; 0: not known
+  int textured_ = 0, moving_ = 0;  ///< cells of the last comparison
+};
+
+DOT_END_NAMESPACE

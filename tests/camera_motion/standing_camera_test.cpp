@@ -44,9 +44,11 @@ TEST(StandingCamera, HasAMotionThatFitsNoBetterThanNone) {
 }
 
 TEST(StandingCamera, IsToldByThePointsThatBothMotionsSee) {
-  TwoCells cells(3, 0);
-  for (std::size_t i = 0; i < 50; ++i) cells.without[i] = -1, cells.with[99 - i] = -1;
+  TwoCells cells(0, 0);
+  for (std::size_t i = 0; i < 20; ++i) cells.without[i] = -1, cells.with[99 - i] = -1;
   EXPECT_TRUE(cells.is_zero());
+  for (std::size_t i = 20; i < 40; ++i) cells.without[i] = -1;
+  EXPECT_FALSE(cells.is_zero()) << "of few points";
 }
 
 /// Sets the inverse depth of `count` cells from `first` on.

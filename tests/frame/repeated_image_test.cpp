@@ -26,6 +26,7 @@ struct Exposure {
   double wall = 0;   ///< pixels by which the wall has moved
   double box = 0;    ///< pixels by which the box has moved
   double noise = 2;  ///< grey values
+  double gain = 1;   ///< of the exposure
 };
 
 class Camera {
@@ -36,7 +37,7 @@ class Camera {
       for (int x = 0; x < kWidth; ++x) {
         const bool on_box = x >= 120 && x < 200 && y >= 90 && y < 150;
         const double clean = on_box ? box_(x + e.box, y) : wall_(x + e.wall, y);
-        grey(x, y) = static_cast<std::uint8_t>(std::clamp(clean + random_.normal(e.noise), 0.0, 255.0));
+        grey(x, y) = static_cast<std::uint8_t>(std::clamp(e.gain * clean + random_.normal(e.noise), 0.0, 255.0));
       }
     Pyramid out;
     out.build(std::as_const(grey).view(), 3);
@@ -84,6 +85,10 @@ TEST(RepeatedImage, IsNoneWhereSomethingStillMoves) {
   EXPECT_EQ(repeats({{0, 0}, {4, 4}, {4, 8}, {4, 12}}), Answers(4, false)) << "the camera stops, the box does not";
 }
 
+TEST(RepeatedImage, IsNoneAfterAChangeOfTheLightAlone) {
+  EXPECT_EQ(repeats({{}, {0, 0, 2, 0.9}, {0, 0, 2, 0.9}, {0, 0, 2, 0.9}, {0, 0, 2, 1}, {}}), Answers(6, false));
+}
+
 // A hand that shakes stands still for a moment, but never exactly.
 TEST(RepeatedImage, IsNoneAtATurningPoint) {
   EXPECT_EQ(repeats({{0, 0}, {5, 5}, {5.4, 5.4}, {0, 0}, {-0.3, -0.3}, {5, 5}}), Answers(6, false));
@@ -106,7 +111,8 @@ TEST(RepeatedImage, OfTheSameBytesIsKnownWithoutTexture) {
 TEST(RepeatedImage, IsNotKnownAfterAGapOrABlackImage) {
   Camera camera;
   RepeatedImage repeated;
-  const Pyramid first = camera.take({0, 0}), second = camera.take({4, 4}), again = camera.take({4, 4});
+  Pyramid first = camera.take({0, 0});
+  const Pyramid second = camera.take({4, 4}), again = camera.take({4, 4});
   Image<std::uint8_t> dark(kWidth, kHeight);
   dark.fill(0);
   Pyramid black;
@@ -117,19 +123,22 @@ TEST(RepeatedImage, IsNotKnownAfterAGapOrABlackImage) {
   EXPECT_FALSE(repeated.look(second, &again)) << "what is usual is not known yet";
   EXPECT_FALSE(repeated.look(black, &second));
   EXPECT_FALSE(repeated.look(first, &black));
+  EXPECT_FALSE(repeated.look(first = camera.take({0, 0}), &black)) << "what was usual before is not known any more";
 }
 
 TEST(RepeatedImage, OfAnotherSizeIsNone) {
   Camera camera;
   RepeatedImage repeated;
   const Pyramid first = camera.take({});
-  Image<std::uint8_t> small(40, 21);
-  small.fill(7);
-  Pyramid other;
-  other.build(std::as_const(small).view(), 1);
   EXPECT_FALSE(repeated.look(first, nullptr));
-  EXPECT_FALSE(repeated.look(other, &first));
-  EXPECT_TRUE(repeated.look(other, &other));
+  for (const auto& [width, levels] : {std::pair{40, 1}, {300, 3}}) {
+    Image<std::uint8_t> small(width, 21);
+    small.fill(7);
+    Pyramid other;
+    other.build(std::as_const(small).view(), levels);
+    EXPECT_FALSE(repeated.look(other, &first));
+    EXPECT_TRUE(repeated.look(other, &other));
+  }
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ class FixedParts {
     known_ = known_ && step.known();
     if (!edges_.add(frame, background)) return false;
     resize(edges_.index(0, edges_.rows()));
-    stood_ = step.alignment.stands ? kTrial : std::max(0, stood_ - 1);
+    stood_ = step.known() && step.alignment.stands ? kTrial : std::max(0, stood_ - 1);
     scene_stays_ = stood_ > 0 || scene_stays();
     if (edges_.has_two_frames()) compare(frame.depth.levels[edges_.level()], camera);
     T_cur_last_ = {};

@@ -77,6 +77,7 @@ class MotionChoice {
       return StandingCamera::is_zero(problem.points, without, costs.of(i), own, problem.camera.width(),
                                      problem.camera.height(), settings.covariance_scale);
     };
+    workspace.point_costs.reserve(problem.points.u.capacity());  // a first contest may come late
     for (int pass = 0; pass < 2; ++pass)  // the second one compares those before the chosen one with it
       for_each_other([&](std::size_t i, const CellVotes& votes) {
         if (votes.second == 0) return;
@@ -116,7 +117,8 @@ class MotionChoice {
   static constexpr double kSettled = 2;      ///< lead of a camera that stands, at least
   static constexpr double kMajority = 1.15;  ///< votes over those for the other, below which they are close
 
-  /// Votes for the chosen minimum and for another one; all zero where there is no contest.
+  /// Votes for the chosen minimum and for another one; all zero where there is no contest. The depths of their cells
+  /// are of the background alone.
   template <typename Camera, typename Aligner>
   CellVotes count(const AlignProblem<Camera>& problem, const std::vector<Alignment>& candidates, std::size_t other,
                   double sigma, const MotionEvidence& evidence, Aligner& aligner, MinimaWorkspace& workspace) const {
@@ -124,6 +126,7 @@ class MotionChoice {
     CellVotes votes;
     votes.add(problem.points, workspace.costs.of(chosen), workspace.costs.of(other), width, height);
     if (votes.second < std::max<double>(kMinVotes, kContested * votes.first)) return {};
+    CellVotes of_objects;
     for (const PointSet* object : evidence.objects) {
       const AlignProblem<Camera> seen{*object, problem.image, problem.camera};
       const auto cost = [&](std::size_t i, std::vector<float>& out) {
@@ -133,8 +136,9 @@ class MotionChoice {
       };
       cost(chosen, workspace.point_costs);
       cost(other, workspace.other_costs);
-      votes.add(*object, workspace.point_costs, workspace.other_costs, width, height);
+      of_objects.add(*object, workspace.point_costs, workspace.other_costs, width, height);
     }
+    votes.first += of_objects.first, votes.second += of_objects.second;
     return votes;
   }
 };

@@ -27,11 +27,13 @@ struct StandingCamera {
   /// @param staying of the cells that the motion won. @param covariance_scale of an alignment's covariance.
   static bool is_zero(const PointSet& points, const std::vector<float>& cost_zero, const std::vector<float>& cost_found,
                       const CellVotes::Depths& staying, int width, int height, double covariance_scale) {
+    constexpr int kLeastPoints = 50;
     double rise = 0;
+    int compared = 0;
     for (std::size_t i = 0; i < cost_zero.size(); ++i)
       if (cost_zero[i] >= 0 && cost_found[i] >= 0 && staying[CellVotes::cell_of(points, i, width, height)] > 0)
-        rise += static_cast<double>(cost_zero[i] - cost_found[i]);
-    return rise < 0.5 * covariance_scale * chi2::k5SigmaOf6;
+        ++compared, rise += static_cast<double>(cost_zero[i] - cost_found[i]);
+    return compared >= kLeastPoints && rise < 0.5 * covariance_scale * chi2::k99999Of6;
   }
 
   /// Whether the cells that stay are a scene: they are many, and not nearer than what moves.

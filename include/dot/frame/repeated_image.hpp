@@ -20,22 +20,25 @@ DOT_BEGIN_NAMESPACE
 /// the frame rate repeat images, and a video codec then gives them other noise.
 ///
 /// In a repeated image nothing moves, not even what moved since the image before it. The change of the image is
-/// compared by cells of a grid. In each cell d = I_now - I_before at the pixels of gradient g gives a mean square,
-/// weighted by |g|^2, and the shift u that explains most of it, d = -g' u. An image is repeated if nearly no cell has a
-/// shift beyond its noise, and nearly none changed by more than a quarter of what the most changed ones did between
-/// images that were new.
+/// compared by cells of a grid, each without the change a + b I of its light. What is left of d = I_now - I_before in a
+/// cell gives a mean square, and the shift u that explains most of it, d = -g' u with the gradients g. An image is
+/// repeated if nearly no cell has a shift beyond its noise, and nearly none changed by more than a quarter of what the
+/// most changed ones did between images that were new.
 class RepeatedImage {
  public:
   /// Whether an image repeats the one before. @param before null: that is not known.
   bool look(const Pyramid& now, const Pyramid* before) {
-    if (!before || now.size() != before->size()) {
+    if (!before || now.size() != before->size() || now.width() != before->width() || now.height() != before->height()) {
       usual_ = 0;
       return false;
     }
     if (same(now.levels[0], before->levels[0])) return true;
     const std::size_t level = now.size() > 1 ? 1 : 0;
     const float most = compare(now.levels[level], before->levels[level]);
-    if (textured_ < kLeastTextured) return false;
+    if (textured_ < kLeastTextured) {
+      usual_ = 0;
+      return false;
+    }
     if (moving_ <= kFew && most < kOfUsual * usual_) return true;
     usual_ = most;
     return false;
@@ -60,19 +63,24 @@ class RepeatedImage {
   }
 
   struct Cell {
-    float n = 0, dd = 0, ww = 0, wdd = 0, uu = 0, uv = 0, vv = 0, ud = 0, vd = 0;
+    float n = 0, i = 0, ii = 0, d = 0, id = 0, dd = 0, uu = 0, uv = 0, vv = 0, ud = 0, vd = 0;
 
-    /// Mean square change, weighted by the square of the gradient.
-    float change() const { return wdd / ww; }
-    bool has_texture() const { return ww > kLeastGradient * kLeastGradient * n; }
+    bool has_texture() const { return uu + vv > kLeastGradient * kLeastGradient * n; }
+    /// Sum of the squares of d without the light's change.
+    float rest() const {
+      const float variance = ii - i * i / n, covariance = id - i * d / n;
+      return std::max(0.0f, dd - d * d / n - (variance > 0 ? covariance * covariance / variance : 0));
+    }
+    /// Mean square change.
+    float change() const { return rest() / n; }
     /// Whether a shift explains the change by more than noise would.
     bool moves() const {
       const float det = uu * vv - uv * uv;
-      if (!(det > 1e-3f * ww * ww)) return false;
+      if (!(det > 1e-3f * (uu + vv) * (uu + vv))) return false;
       const float u = (vv * ud - uv * vd) / det, v = (uu * vd - uv * ud) / det;
-      const float explained = u * ud + v * vd, rest = std::max(0.0f, dd - explained);
+      const float explained = u * ud + v * vd, unexplained = std::max(0.0f, rest() - explained);
       return u * u + v * v > kLeastShift * kLeastShift &&
-             explained * (n - 2) > static_cast<float>(chi2::k5SigmaOf1) * rest;
+             explained * (n - 2) > static_cast<float>(chi2::k5SigmaOf1) * unexplained;
     }
   };
 
@@ -90,8 +98,8 @@ class RepeatedImage {
           const float d = std::clamp(static_cast<float>(a[x] - b[x]), -kLargest, kLargest);
           const float gu = 0.5f * static_cast<float>(b[x + 1] - b[x - 1]);
           const float gv = 0.5f * static_cast<float>(below[x] - above[x]);
-          const float w = gu * gu + gv * gv;
-          sum.n += 1, sum.dd += d * d, sum.ww += w, sum.wdd += w * d * d;
+          const float i = static_cast<float>(b[x]);
+          sum.n += 1, sum.i += i, sum.ii += i * i, sum.d += d, sum.id += i * d, sum.dd += d * d;
           sum.uu += gu * gu, sum.uv += gu * gv, sum.vv += gv * gv, sum.ud += gu * d, sum.vd += gv * d;
         }
         row[column] = sum;

@@ -106,7 +106,7 @@ inline void admit(ImageView<const float> frame, const Box& box, ImageView<const 
 /// tilt is 1 - N / T (James-Stein, positive part). The plane keeps the object's median at the middle of its pixels.
 /// @param step of the pixels that are looked at. @param relief that an object of this size may have, 1/m.
 /// @return variance, at the object's border, of the difference between the plane and a plane through its true surface,
-/// 1/m^2; 0 where no plane was fitted.
+/// 1/m^2; 0 where too few pixels have depth for a tilt. An object's size limits it.
 inline double level_by_noise(ImageView<const float> surface, int step, float median_q, double relief, PlaneFit& plane) {
   constexpr int kCorrelated = 45;        // pixels whose depths together count as one, as in Selector
   constexpr double kAtBorder = 3;        // square of a tilt at the border, over its mean square
@@ -124,11 +124,12 @@ inline double level_by_noise(ImageView<const float> surface, int step, float med
   const double tilt = a * a * (uu * each - mean_u * mean_u) + 2 * a * b * (uv * each - mean_u * mean_v) +
                       b * b * (vv * each - mean_v * mean_v);
   const double of_slope = static_cast<double>(plane.variance) * kCorrelated / std::max(1, plane.inliers);
+  const double most = relief * relief;
   const double left = is_fitted && tilt > 0 ? std::max(0.0, 1 - 2 * of_slope / tilt) : 0;
   plane.du = static_cast<float>(left * a);
   plane.dv = static_cast<float>(left * b);
   plane.q = median_q - static_cast<float>(left * (a * mean_u + b * mean_v));
-  return is_fitted ? kAtBorder * of_slope + kOfRelief * kOfRelief * relief * relief : 0;
+  return is_fitted ? std::min(kAtBorder * of_slope, most) + kOfRelief * kOfRelief * most : 0;
 }
 
 }  // namespace selecting

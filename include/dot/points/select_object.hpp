@@ -111,11 +111,12 @@ inline double level_by_noise(ImageView<const float> surface, int step, float med
   constexpr int kCorrelated = 45;        // pixels whose depths together count as one, as in Selector
   constexpr double kAtBorder = 3;        // square of a tilt at the border, over its mean square
   constexpr double kOfRelief = 1.0 / 3;  // a car's root mean square about its plane, over half of its size
+  const int column = surface.width / 2, row = surface.height / 2;
   double n = 0, u = 0, v = 0, uu = 0, uv = 0, vv = 0;
   for (int y = 0; y < surface.height; y += step)
     for (int x = 0; x < surface.width; x += step) {
       if (!(surface(x, y) > 0)) continue;
-      const double du = x - surface.width / 2, dv = y - surface.height / 2;
+      const double du = x - column, dv = y - row;
       n += 1, u += du, v += dv, uu += du * du, uv += du * dv, vv += dv * dv;
     }
   const double a = static_cast<double>(plane.du), b = static_cast<double>(plane.dv);

@@ -93,7 +93,9 @@ TEST(Undistorter, GivesTheImageOfAPinhole) {
         ASSERT_NEAR(flat.at<std::uint8_t>(y, x), scene(x, y), 3) << x << ", " << y;
         const int id = flat_ids.at<std::uint16_t>(y, x);
         ASSERT_TRUE(id == 700 || id == 40000) << "a mean of two ids at " << x << ", " << y;
-        if (std::abs(x - 160) > 1) ASSERT_EQ(id, x < 160 ? 700 : 40000) << x << ", " << y;
+        if (std::abs(x - 160) > 1) {
+          ASSERT_EQ(id, x < 160 ? 700 : 40000) << x << ", " << y;
+        }
       }
     }
   }

@@ -16,6 +16,7 @@
 #include "dot/camera_motion/motion_choice.hpp"
 #include "dot/camera_motion/search.hpp"
 #include "dot/camera_motion/second_motion.hpp"
+#include "dot/camera_motion/unexpected_turn.hpp"
 #include "dot/statistics/median.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -59,9 +60,11 @@ struct CameraMotionEstimator {
       minima.add(problem, aligner.align_near(problem, start, fine));
     };
     AlignState first;
+    bool turns_as_predicted = false;
     for (std::size_t i = 0; i < predicted.size(); ++i) {
       const AlignState found = add({predicted[i]}, top);
       if (i == 0) first = found;
+      if (!UnexpectedTurn::is_in(points, camera, found.T, predicted[i])) turns_as_predicted = true;
       add_near({predicted[i], found.gain, found.offset});
     }
     workspace.few.take_every(std::max(1, points.size() / (search ? kSearched : kRanked)), points);
@@ -69,6 +72,15 @@ struct CameraMotionEstimator {
     if (predicted.back().log().norm() > 1e-3) {  // a part of the points finds the minimum, all of them measure it
       const AlignState stands{SE3d{}, first.gain, first.offset};
       add(aligner.align(few, stands, top, fine).state, fine);
+    }
+    if (!search && !turns_as_predicted && evidence.turns) {
+      const double sigma = aligner.intensity_sigma(few, first, CameraSearch::level_of(top + 1));
+      UnexpectedTurn::find(*evidence.turns, few, predicted.back() * evidence.T_points_prev,
+                           evidence.T_points_prev.inverse(), sigma, fine, aligner, workspace);
+      for (const AlignState& start : starts) {
+        add(aligner.align(few, start, CameraSearch::level_of(top + 1), fine).state, fine);
+        add_near(start);
+      }
     }
     if (search) {
       const double sigma = aligner.intensity_sigma(problem, first, CameraSearch::level_of(top + 1));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dot/camera_motion/background.hpp"
+#include "dot/camera_motion/constant_velocity.hpp"
 #include "dot/camera_motion/estimator.hpp"
 #include "dot/camera_motion/second_motion.hpp"
 #include "dot/containers/recycling_list.hpp"
@@ -58,7 +59,7 @@ class FirstIntervals {
               const CameraMotionEstimator& estimator, Aligner& aligner, MinimaWorkspace& workspace,
               std::vector<RevisedInterval>& revised) {
     const auto contradicts = [&](const CameraStep& one, const CameraStep& other) {
-      return (one.T_cur_prev.t - motion_at_velocity_of(other, one.seconds).t).norm() > estimator.reach(one.seconds);
+      return change_of_place(one.T_cur_prev, motion_at_velocity_of(other, one.seconds)) > estimator.reach(one.seconds);
     };
     CameraStep next = step;
     for (std::size_t i = intervals_.size(); i-- > 0 && intervals_[i].cur && contradicts(intervals_[i].step, next);) {
@@ -110,7 +111,7 @@ class FirstIntervals {
                            {no_objects, T_prev_points.inverse(), reach}, aligner, workspace);
     estimator.take(AlignProblem<Camera>{unexplained_, problem.image, problem.camera}, T_prev_points, aligner, step);
     const bool explains_much = a.inliers >= SecondMotion::kMinShare * found.alignment.seen;
-    if (!explains_much || !estimator.accepts(a, false) || (step.T_cur_prev.t - expected.t).norm() > reach)
+    if (!explains_much || !estimator.accepts(a, false) || change_of_place(step.T_cur_prev, expected) > reach)
       return std::nullopt;
     return step;
   }

@@ -12,7 +12,9 @@
 #include "dot/align/cell_votes.hpp"
 #include "dot/align/minima.hpp"
 #include "dot/align/settings.hpp"
+#include "dot/camera_motion/constant_velocity.hpp"
 #include "dot/camera_motion/standing_camera.hpp"
+#include "dot/camera_motion/turn_search.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -22,7 +24,8 @@ struct MotionEvidence {
   SE3d T_points_prev;                           ///< from the previous frame to that of the background's points
   /// Metres by which the motion may differ from the one predicted at constant velocity; infinite: no velocity is known.
   double reach = std::numeric_limits<double>::infinity();
-  double steadiness = 0;  ///< 0 to 1: whether the velocity was the same in the intervals before
+  double steadiness = 0;              ///< 0 to 1: whether the velocity was the same in the intervals before
+  const TurnSearch* turns = nullptr;  ///< from the previous frame, for a turn that is not as predicted; null: none
 };
 
 /// Chooses the camera's motion among the minima of the background's cost.
@@ -55,9 +58,12 @@ class MotionChoice {
     PointCosts& costs = workspace.costs;
     costs.clear();
     for (const Alignment& a : candidates) costs.add(problem, a.state, 0, sigma, aligner);
+    const auto change_of = [&](std::size_t i) {
+      return change_of_place(candidates[i].state.T * evidence.T_points_prev, predicted * evidence.T_points_prev);
+    };
     // A later candidate must be better by a margin, so that equal minima do not alternate.
     chosen = costs.best(settings.multistart_margin, [&](std::size_t i) {
-      const double change = (candidates[i].state.T.t - predicted.t).norm() / evidence.reach;
+      const double change = change_of(i) / evidence.reach;
       return 1 + evidence.steadiness * kAtReach * std::min(1.0, change * change);
     });
 
@@ -65,9 +71,7 @@ class MotionChoice {
       for (std::size_t i = 0; i < candidates.size(); ++i)
         if (i != chosen) visit(i, count(problem, candidates, i, sigma, evidence, aligner, workspace));
     };
-    const auto can_reach = [&](std::size_t i) {
-      return (candidates[i].state.T.t - predicted.t).norm() <= evidence.reach;
-    };
+    const auto can_reach = [&](std::size_t i) { return change_of(i) <= evidence.reach; };
     const auto stands = [&](std::size_t i, const CellVotes::Depths& own, const CellVotes::Depths& others) {
       if (!StandingCamera::is_scene(own, others)) return false;
       AlignState zero = candidates[i].state;

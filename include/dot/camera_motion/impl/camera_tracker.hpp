@@ -31,7 +31,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   if (held_) velocity_known_ = false;
   predict(host, seconds);
   step.T_cur_prev = starts_.front();
-  const Vector3<double> at_constant_velocity = starts_.back().t;
+  const SE3d at_constant_velocity = starts_.back();
   bool searched = false;
   if (host.motion)
     take_host_motion(*host.motion, cur, camera, estimator.settings, aligner, step);
@@ -51,7 +51,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   step.rolling.is_usual = rows_turn && turning_rows_ > 0.5 && background_.seconds == 0;
   refuted_ = !revised_.empty() || (held_ && !host.motion);
   held_ = false;
-  const bool kept = (step.T_cur_prev.t - at_constant_velocity).norm() < kKept * estimator.reach(seconds);
+  const bool kept = change_of_place(step.T_cur_prev, at_constant_velocity) < kKept * estimator.reach(seconds);
   steady_ = velocity_known_ && step.known() && kept ? steady_ + 1 : 0;
   velocity_known_ = step.known();
   if (!step.known()) {
@@ -100,8 +100,10 @@ bool CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
   const SE3d& T_prev_points = background_.T_now_points;
   for (SE3d& T : starts_) T = T * T_prev_points;
   const CameraSettings& s = estimator.settings;
+  const TurnSearch turns{s.search_turn * step.seconds, prev->pyramid};
   const auto align = [&](const CameraSearch* search) {
     MotionEvidence evidence{objects, T_prev_points.inverse()};
+    evidence.turns = &turns;
     if (velocity_known_) {
       evidence.reach = estimator.reach(step.seconds);
       if (!expected) evidence.steadiness = std::min(1.0, steady_ / kSteady);  // a host may know of a change
@@ -120,6 +122,12 @@ bool CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
     if (!searched) step.alignment = predicted;
     ok = ok || searched;
   }
+  // After an unexpected turn, what explains less than usual needs as much evidence as without a prediction.
+  const bool turns_as_predicted = std::any_of(starts_.begin(), starts_.end(), [&](const SE3d& predicted) {
+    return !UnexpectedTurn::is_in(background_.points, camera, step.alignment.state.T, predicted);
+  });
+  if (!turns_as_predicted && correlation_.has_dropped(step.alignment.phi))
+    ok = ok && estimator.accepts(step.alignment, false);
   step.status = ok ? CameraStatus::Tracked : CameraStatus::Lost;
   if (!ok) return true;
   correlation_.add(step.alignment.phi);

@@ -297,28 +297,29 @@ TEST(MovingShadows, DoNotCaptureTheRefinement) {
   }
 }
 
-/// A road 1.5 m below the camera, which is `ahead` metres further, and a wall at 20 m. Across the road lie shadows with
-/// soft edges, moved by `shadows` metres.
-Rendering shadowed_road(double ahead, double shadows) {
+/// A road 1.5 m below the camera, which is `ahead` metres further and turned to the right by `yaw` radians, and a wall
+/// at 20 m. Across the road lie shadows with soft edges, moved by `shadows` metres.
+Rendering shadowed_road(double ahead, double shadows, double yaw = 0) {
   const Texture fine(3, 3, 8, 8);
   const dot::Intrinsics& k = camera.intrinsics();
   Rendering view;
   view.intensity.resize(camera.width(), camera.height());
   view.depth.resize(camera.width(), camera.height());
-  for (int y = 0; y < camera.height(); ++y) {
-    const double wall = 20 - ahead, down = (y - k.cy) / k.fy;
-    const bool on_road = down * wall > 1.5;
-    const double z = on_road ? 1.5 / down : wall, along = z + ahead;
-    double dark = 0;
-    for (const double edge : {3.2, 4.1, 5.5})
-      if (on_road) dark += 25 * std::tanh((along - shadows - edge) / 0.12) * (edge == 4.1 ? -1 : 1);
+  const double c = std::cos(yaw), si = std::sin(yaw);
+  for (int y = 0; y < camera.height(); ++y)
     for (int x = 0; x < camera.width(); ++x) {
-      const double across = (x - k.cx) / k.fx * z;
+      const double right = (x - k.cx) / k.fx, down = (y - k.cy) / k.fy;
+      const double to_side = c * right + si, to_front = c - si * right;  // of the ray, in the road's directions
+      const double wall = (20 - ahead) / to_front;
+      const bool on_road = down * wall > 1.5;
+      const double z = on_road ? 1.5 / down : wall, across = to_side * z, along = to_front * z + ahead;
+      double dark = 0;
+      for (const double edge : {3.2, 4.1, 5.5})
+        if (on_road) dark += 25 * std::tanh((along - shadows - edge) / 0.12) * (edge == 4.1 ? -1 : 1);
       const double grey = on_road ? fine(20 * across, 8 * along) : fine(6 * across, 6 * down * z);
       view.intensity(x, y) = static_cast<float>(grey - dark);
       view.depth(x, y) = static_cast<float>(z);
     }
-  }
   view.round();
   return view;
 }
@@ -339,6 +340,48 @@ TEST(MovingShadows, AreLeftAlongTheAxis) {
         CameraMotionEstimator{}.estimate(points, now, camera, {captured}, nullptr, nobody, aligner, workspace);
     EXPECT_LT((a.state.T.t + Vector3<double>(0, 0, ahead)).norm(), 0.005) << shadows;
   }
+}
+
+// The camera goes on as predicted, but turns: the coarse levels find the turn, and the motion of the shadows with it.
+TEST(UnexpectedTurn, IsFoundAtThePredictedPlace) {
+  constexpr double ahead = 0.25;
+  const Rendering reference = shadowed_road(0, 0);
+  const Pyramid before = pyramid_of(reference);
+  const PointSet points = exact_points(
+      reference, camera, before, 3, [](int, int) { return true; }, 0.001f);
+  const SE3d predicted = SE3d::translation({0, 0, -ahead});
+  const dot::TurnSearch turns{0.12, before};
+  int wrong_without = 0;
+  for (const double yaw : {-0.06, -0.03, 0.03, 0.06})
+    for (const double shadows : {0.1, 0.15, 0.2}) {
+      const Pyramid now = pyramid_of(shadowed_road(ahead, shadows, yaw));
+      const SE3d truth = SE3d{dot::so3::exp(Vector3<double>(0, -yaw, 0)), Vector3<double>::Zero()} * predicted;
+      const auto error = [&](const dot::TurnSearch* searched) {
+        DirectAligner<> aligner;
+        dot::MinimaWorkspace workspace;
+        dot::MotionEvidence evidence{no_objects, {}, 0.2};
+        evidence.turns = searched;
+        const Alignment a =
+            CameraMotionEstimator{}.estimate(points, now, camera, {predicted}, nullptr, evidence, aligner, workspace);
+        return (a.state.T * truth.inverse()).log().norm();
+      };
+      EXPECT_LT(error(&turns), 0.01) << yaw << " rad, shadows moved by " << shadows << " m";
+      wrong_without += error(nullptr) > 0.05 ? 1 : 0;
+    }
+  EXPECT_GT(wrong_without, 0);
+}
+
+// Where the place changes, near points move in the image as well; that is no turn.
+TEST(UnexpectedTurn, IsToldByPixels) {
+  const Rendering reference = shadowed_road(0, 0);
+  const PointSet points = exact_points(reference, camera, pyramid_of(reference), 3, [](int, int) { return true; });
+  const SE3d predicted = SE3d::translation({0, 0, -1});
+  const double pixel = 1 / camera.intrinsics().fx;
+  const auto turned = [&](double pixels) {
+    return SE3d{dot::so3::exp(Vector3<double>(0, pixels * pixel, 0)), {0.5, 0, -1.5}};
+  };
+  EXPECT_FALSE(dot::UnexpectedTurn::is_in(points, camera, turned(2), predicted));
+  EXPECT_TRUE(dot::UnexpectedTurn::is_in(points, camera, turned(6), predicted));
 }
 
 TEST(Accepts, AsksForABetterCorrelationWithoutAVelocity) {

@@ -13,6 +13,8 @@ set(unsanitized
     *FrameRate.*
     LostCamera.MakesNothingMove
     *MissedMask.*
+    RollingShutterPipeline.NorByAHostsMotionOfTheMiddleRow
+    RollingShutterPipeline.WhatStandsIsNotCalledMoving
     SteadyState.*)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=thread")
   list(APPEND unsanitized *OnOpenCvsThreads*) # see dev.sh

@@ -26,6 +26,7 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
                 rows in .6 of the time between frames
   bonnet        a bonnet with texture, 1.2 m before the camera: the lowest fifth of the image, at its sides a tenth
   caption       two lines of writing in the image
+  overlay       a cross hair with a ring in the middle of the image, a clock and other figures in its corners
   near          no depth beyond 20 m
   bias          disparities wrong by up to a pixel at the borders, as from a stereo pair calibrated badly
   lidar64, lidar32, lidar16
@@ -215,6 +216,28 @@ def with_caption(image):
     return image
 
 
+def with_overlay(image, frame):
+    """The clock is that of a camera at 20 Hz."""
+    image, (height, width) = image.copy(), image.shape[:2]
+    size, u, v = height / 480, width // 2, height // 2
+    right = width - int(190 * size)
+    texts = (
+        (10, int(30 * size), f"{10 + frame // 20} m"),
+        (right, int(30 * size), f"14:06:{frame // 20 % 60:02d}"),
+        (10, height - int(15 * size), "BAT 15.8V"),
+        (right, height - int(15 * size), "REC CAM0"),
+    )
+    for value, thick in ((0, 4), (255, 1.5)):
+        color, width = (value,) * 3, max(1, round(thick * size))
+        for left, base, text in texts:
+            cv2.putText(image, text, (left, base), cv2.FONT_HERSHEY_SIMPLEX, 0.7 * size, color, width, cv2.LINE_AA)
+        arm = int(40 * size)
+        cv2.line(image, (u - arm, v), (u + arm, v), color, width)
+        cv2.line(image, (u, v - arm), (u, v + arm), color, width)
+        cv2.circle(image, (u, v), int(28 * size), color, width)
+    return image
+
+
 def with_bands(image, frame):
     """Between two frames the light goes on by .37 periods, as that of lamps at 100 Hz at 29.67 frames a second."""
     height = image.shape[0]
@@ -309,8 +332,8 @@ def make(kind, out, sequence):
                     image = thinned(image, kind, int(stem), sequence, intrinsics, random)
                 elif kind == "wide" and name == "masks":
                     image = widened(image, cv2.imread(f"{sequence}/depth/{stem}.png", cv2.IMREAD_UNCHANGED))
-                elif kind == "bands" and name == "rgb":
-                    image = with_bands(image, int(stem))
+                elif kind in ("bands", "overlay") and name == "rgb":
+                    image = (with_bands if kind == "bands" else with_overlay)(image, int(stem))
                 elif kind == "shake":
                     image = turned(image, name, jolt(int(stem)), intrinsics)
                 elif kind == "rolling":
@@ -348,7 +371,7 @@ def make(kind, out, sequence):
 
 def main():
     kinds = "half third mirror crop slow twice reverse late skip1 skip2 skip3 bands flicker noise grain dark shake rolling"
-    kinds += " bonnet caption near bias lidar64 lidar32 lidar16 holes50 edges wide"
+    kinds += " bonnet caption overlay near bias lidar64 lidar32 lidar16 holes50 edges wide"
     if len(sys.argv) < 4 or sys.argv[1] not in kinds.split():
         sys.exit(__doc__)
     for sequence in sys.argv[3:]:

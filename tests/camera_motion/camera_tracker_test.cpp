@@ -26,6 +26,7 @@ struct Drive : StageFilm {
   dot::CameraTracker<dot::Pinhole, dot::DepthNoise, dot::DirectAligner<>> tracker;
   dot::ObjectWorkspace<dot::DirectAligner<>> workspace;
   dot::PaintedImage<std::uint8_t> labels;
+  dot::Image<std::uint32_t> ids;
   bool enough = false;
 
   static Film<> scene() {
@@ -34,7 +35,10 @@ struct Drive : StageFilm {
     film.degradation.noise = 1;
     return film;
   }
-  Drive() : StageFilm(scene()) { labels.clear(camera.width(), camera.height()); }
+  Drive() : StageFilm(scene()), ids(camera.width(), camera.height()) {
+    labels.clear(camera.width(), camera.height());
+    ids.fill(0);
+  }
 
   std::vector<const dot::PointSet*> objects;
 
@@ -44,9 +48,10 @@ struct Drive : StageFilm {
     const CameraStep step =
         tracker.track(prev, *cur, seconds, host, objects, camera, estimator, workspace.aligner, workspace.minima);
     tracker.learn_depth(*cur, step, camera, {}, estimator.settings.min_points, setup.noise);
+    tracker.find_fixed_parts(*cur, step, labels, ids, camera);
     const dot::Selector<dot::Pinhole, dot::DepthNoise> select{
         camera, setup.noise, cur->pyramid, cur->inverse_depth().view(), setup.selection, workspace.selection};
-    enough = tracker.take_background(*cur, step, labels, select, estimator.settings.min_points);
+    enough = tracker.take_background(*cur, step, select, estimator.settings.min_points);
     return step;
   }
   double error(const CameraStep& step) const { return (step.T_cur_prev * film.T_c().inverse()).log().norm(); }

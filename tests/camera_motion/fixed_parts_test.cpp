@@ -33,6 +33,8 @@ struct Setting {
   bool has_part = true;            ///< the lowest rows are fixed
   double part_distance = 1;        ///< metres, that the depth image has there
   int first_row = kFirstFixedRow;  ///< of that part
+  int end_row = kHeight;           ///< of that part
+  int end_column = kWidth;         ///< of that part
   bool is_striped = false;         ///< that part has edges along the rows alone, which stay though it moves
   double measured = 1;             ///< the camera's motion, over that to the wall
   int repeats = 0;                 ///< FrameData::repeats of each frame
@@ -41,8 +43,10 @@ struct Setting {
 
 class Camera {
  public:
-  explicit Camera(const Setting& chosen) : setting(chosen), camera_(small_camera()), background_(kWidth, kHeight) {
+  explicit Camera(const Setting& chosen)
+      : setting(chosen), camera_(small_camera()), background_(kWidth, kHeight), ids_(kWidth, kHeight) {
     background_.fill(255);
+    ids_.fill(0);
   }
 
   Setting setting;
@@ -79,7 +83,7 @@ class Camera {
     Image<float> q(kWidth, kHeight);
     for (int y = 0; y < kHeight; ++y)
       for (int x = 0; x < kWidth; ++x) {
-        const bool fixed = setting.has_part && y >= setting.first_row;
+        const bool fixed = setting.has_part && y >= setting.first_row && y < setting.end_row && x < setting.end_column;
         grey(x, y) = fixed ? part_(setting.is_striped ? 0 : x, y) : wall_((kSteps * x + shift) % wall_.width(), y);
         q(x, y) = static_cast<float>(1 / (fixed ? setting.part_distance : setting.distance));
       }
@@ -93,7 +97,7 @@ class Camera {
     step.seconds = 1 / setting.rate;
     step.T_cur_prev = dot::SE3d::translation(Vector3<double>(-setting.measured * way, 0, 0));
     step.alignment.stands = setting.stands_every > 0 && frames_++ % setting.stands_every == 0;
-    found |= parts.look(frame_, background_, step, camera_);
+    found |= parts.look(frame_, background_, ids_, step, camera_);
   }
 
   static constexpr int kSteps = 2;  ///< of the wall's image, a pixel
@@ -109,6 +113,7 @@ class Camera {
 
   dot::Pinhole camera_;
   Image<std::uint8_t> background_;
+  Image<std::uint32_t> ids_;
   dot::FrameData frame_;
   Image<std::uint8_t> wall_ = paint(1, 1.0 / kSteps, 2048), part_ = paint(2, 1, kWidth);
   double position_ = 0, time_ = 1000;
@@ -253,6 +258,25 @@ TEST(FixedParts, AreForgotten) {
   EXPECT_GT(camera.of_part(), 0.9);
 }
 
+// A line of writing over less than 2 % of the image is no part that could hold the camera.
+TEST(Overlays, OfAnySizeAreExcluded) {
+  Setting setting;
+  setting.end_row = kFirstFixedRow + 16, setting.end_column = 80;
+  Camera camera(setting);
+  camera.drive(2);
+  EXPECT_EQ(camera.parts.share(), 0);
+  const auto excluded = [&] { return camera.excluded(kFirstFixedRow, setting.end_row) * kWidth / setting.end_column; };
+  EXPECT_GT(excluded(), 0.8);
+  EXPECT_EQ(camera.of_scene(), 0);
+  EXPECT_LT(camera.excluded(setting.end_row + 8, kHeight), 0.01);
+  camera.setting.speed = 0;
+  camera.drive(10);
+  EXPECT_GT(excluded(), 0.8) << "though the camera stands";
+  camera.setting.speed = setting.speed, camera.setting.has_part = false;
+  camera.drive(3);
+  EXPECT_EQ(excluded(), 0) << "though it is gone";
+}
+
 TEST(FixedParts, AreNoneInAnImageThatIsTooSmall) {
   dot::FrameData frame;
   frame.pyramid.levels.resize(1);
@@ -263,7 +287,7 @@ TEST(FixedParts, AreNoneInAnImageThatIsTooSmall) {
   FixedParts parts;
   for (int i = 0; i < 10; ++i) {
     frame.timestamp = i;
-    EXPECT_FALSE(parts.look(frame, background, {}, dot::Pinhole(small_camera())));
+    EXPECT_FALSE(parts.look(frame, background, Image<std::uint32_t>(5, 5), {}, dot::Pinhole(small_camera())));
   }
   parts.exclude(background);
   EXPECT_EQ(parts.share(), 0);

@@ -68,10 +68,12 @@ struct StageSetup {
   ObjectMotionEstimator estimator;
   MaskSettings mask;
   SelectionSettings selection;
+  OverlaidPixels overlaid;
   Threads threads;
 
   operator Setup() const {
-    return {camera, classifier, noise, estimator, mask, selection, DepthSource::Rgbd, portable_kernels(), threads};
+    return {camera,    classifier,        noise,    estimator,          mask,
+            selection, DepthSource::Rgbd, overlaid, portable_kernels(), threads};
   }
 };
 

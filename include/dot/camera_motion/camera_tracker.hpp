@@ -53,11 +53,19 @@ class CameraTracker {
   void learn_depth(const FrameData& cur, const CameraStep& step, const Camera& camera, const AlignSettings& settings,
                    int min_points, Noise& noise);
 
-  /// Selects the points for measuring the next frame's motion, outside all objects.
-  /// @param step led to `cur`. @param labels non-zero where objects are.
+  /// Finds what does not move with the scene. @param step led to `cur`. @param labels non-zero where objects are.
+  /// @param ids which object it is, 0 = none.
+  void find_fixed_parts(const FrameData& cur, const CameraStep& step, const PaintedImage<std::uint8_t>& labels,
+                        const Image<std::uint32_t>& ids, const Camera& camera);
+
+  /// Pixels that show something drawn over the image, also on objects.
+  const OverlaidPixels& overlaid() const { return fixed_parts_.overlaid(); }
+
+  /// Selects the points for measuring the next frame's motion, outside all objects and fixed parts. Must be called
+  /// after `find_fixed_parts`. @param step led to `cur`.
   /// @return whether there are enough of them. Otherwise the present points are kept for the next frame.
-  bool take_background(const FrameData& cur, const CameraStep& step, const PaintedImage<std::uint8_t>& labels,
-                       const Selector<Camera, Noise>& select, int min_points);
+  bool take_background(const FrameData& cur, const CameraStep& step, const Selector<Camera, Noise>& select,
+                       int min_points);
 
   /// The bias to be subtracted from the next frame's depth.
   DepthBias depth_bias() const { return bias_learning_.bias(); }

@@ -9,8 +9,9 @@
 #include <cstring>
 #include <vector>
 
-#include "dot/camera/concept.hpp"
 #include "dot/camera_motion/camera_step.hpp"
+#include "dot/camera_motion/cell_shift.hpp"
+#include "dot/camera_motion/overlays.hpp"
 #include "dot/camera_motion/standing_edges.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -31,18 +32,21 @@ class FixedParts {
  public:
   static constexpr double kLeastShare = 0.04;  ///< of the image; less does not hold the camera
 
-  /// Looks at the next frame. @param background zero where objects are, of full size. @param step led to the frame.
+  /// Looks at the next frame. @param background zero where objects are, of full size. @param ids of the objects, 0 =
+  /// background. @param step led to the frame.
   /// @return whether parts were found that have held the camera, so that its velocity is not known.
   template <typename Camera>
-  bool look(const FrameData& frame, const Image<std::uint8_t>& background, const CameraStep& step,
-            const Camera& camera) {
+  bool look(const FrameData& frame, const Image<std::uint8_t>& background, const Image<std::uint32_t>& ids,
+            const CameraStep& step, const Camera& camera) {
     T_cur_last_ = step.T_cur_prev * T_cur_last_;
     known_ = known_ && step.known();
     if (!edges_.add(frame, background)) return false;
     resize(edges_.index(0, edges_.rows()));
     stood_ = step.known() && step.alignment.stands ? kTrial : std::max(0, stood_ - 1);
     scene_stays_ = stood_ > 0 || scene_stays();
-    if (edges_.has_two_frames()) compare(frame.depth.levels[edges_.level()], camera);
+    const CellShift<Camera> shift{edges_, T_cur_last_, frame.depth.levels[edges_.level()], camera};
+    if (edges_.has_two_frames()) compare(shift);
+    if (known_ && !is_refuted() && !scene_stays_) overlays_.look(edges_, shift, ids);
     T_cur_last_ = {};
     known_ = true;
     return edges_.is_known() && decide();
@@ -51,8 +55,12 @@ class FixedParts {
   /// Share of the image that is fixed, after the trial; 0 if it is too small to matter.
   double share() const { return share_; }
 
+  /// The pixels of overlays, also on objects.
+  const OverlaidPixels& overlaid() const { return overlays_.pixels(); }
+
   /// Takes the fixed parts out of a mask of full size.
   void exclude(Image<std::uint8_t>& mask) const {
+    overlaid().cut(0, 0, mask.view());
     if (!excludes_) return;
     const int pixel = 1 << edges_.level(), size = StandingEdges::kCell * pixel;
     // A gradient takes in the pixels beside it. The outermost cells reach to the ends of the image.
@@ -72,6 +80,7 @@ class FixedParts {
   /// Forgets everything. Keeps the memory.
   void forget() noexcept {
     edges_.forget();
+    overlays_.forget();
     for (Cell& cell : cells_) cell = {};
     T_cur_last_ = {};
     known_ = true, compared_ = false, excludes_ = false, scene_stays_ = false;
@@ -111,19 +120,14 @@ class FixedParts {
 
   /// Adds what the camera's motion since the last frame that counted should have done to the cells' edges.
   template <typename Camera>
-  void compare(const Image<float>& inverse_depth, const Camera& camera) {
+  void compare(const CellShift<Camera>& cell_shift) {
     constexpr int kEvery = 3;  // of the cells are enough
-    constexpr float kCell = StandingEdges::kCell, kMiddle = 1 + 0.5f * kCell;
-    const SE3d T_last_cur = T_cur_last_.inverse();
-    const Matrix3<float> R = T_last_cur.R.cast<float>();
-    const Vector3<float> t = T_last_cur.t.cast<float>();
-    const float pixel = static_cast<float>(1 << edges_.level());
     int changed = 0, explained = 0;
     for (int row = 0; row < edges_.rows(); ++row)
       for (int column = 0; column < edges_.columns(); ++column) {
         const std::size_t i = edges_.index(column, row);
         Cell& cell = cells_[i];
-        cell.q = edges_.has_edges(i) ? nearest(inverse_depth, column, row) : 0;
+        cell.q = edges_.has_edges(i) ? cell_shift.nearest(column, row) : 0;
         cell.shift = 0;
         const bool moves = edges_.moves(i);
         if (moves) cell.crossed = 0, cell.tried = 0;
@@ -133,12 +137,9 @@ class FixedParts {
         }
         const bool tells = edges_.is_other(i) && (row + column) % kEvery == 0;
         const bool is_asked = !moves && (cell.tried > 0 || edges_.stays(i));
-        if (!known_ || !(cell.q > 0) || !(tells || is_asked)) continue;
-        const Vector2<float> place(pixel * (kCell * static_cast<float>(column) + kMiddle) - 0.5f,
-                                   pixel * (kCell * static_cast<float>(row) + kMiddle) - 0.5f);
-        const Vector3<float> X = R * camera.template unproject<float>(place) + cell.q * t;
-        if (X.z() < 1e-3f) continue;
-        const Vector2<float> shift = (camera.template project<float>(X) - place) / pixel;
+        if (!known_ || !(tells || is_asked)) continue;
+        Vector2<float> shift;
+        if (!cell_shift(column, row, cell.q, shift)) continue;
         const auto change = edges_.change(column, row, shift.x(), shift.y());
         cell.shift = shift.norm();
         changed += tells;
@@ -157,13 +158,6 @@ class FixedParts {
 
   /// Whether the camera's motion does not explain how edges move.
   bool is_refuted() const { return refuted_ > 0.5f; }
-
-  /// Inverse depth of the nearest pixel in the middle of a cell.
-  static float nearest(const Image<float>& q, int column, int row) {
-    const int u = column * StandingEdges::kCell + StandingEdges::kCell / 2;
-    const int v = row * StandingEdges::kCell + StandingEdges::kCell / 2;
-    return std::max(std::max(q(u, v), q(u + 1, v)), std::max(q(u, v + 1), q(u + 1, v + 1)));
-  }
 
   /// The exponent and two bits of the fraction, from 2^-15 1/m.
   static std::size_t bin_of(float q) {
@@ -244,6 +238,7 @@ class FixedParts {
   }
 
   StandingEdges edges_;
+  Overlays overlays_;
   std::vector<Cell> cells_;
   std::vector<std::uint8_t> fixed_;  ///< kFixed, kBeside or 0, of each cell
   SE3d T_cur_last_;                  ///< camera motion from the last frame that counted to the newest one

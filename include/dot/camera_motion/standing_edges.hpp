@@ -24,11 +24,13 @@ DOT_BEGIN_NAMESPACE
 /// sums are of cells of a coarse level of the pyramid.
 class StandingEdges {
  public:
-  static constexpr int kCell = 4;            ///< pixels of the level, size of a cell
-  static constexpr int kMostPixels = 60000;  ///< of the level
-  static constexpr double kMemory = 0.6;     ///< seconds, time constant of the fading
-  static constexpr int kEnoughFrames = 3;    ///< that count, from which the sums tell something
-  static constexpr int kLeastCells = 20;     ///< with edges, to tell whether they move
+  static constexpr int kCell = 4;                ///< pixels of the level, size of a cell
+  static constexpr int kMostPixels = 120000;     ///< of the level
+  static constexpr int kFewPixels = 30000;       ///< of an image of which the finest level is taken, though it is noisy
+  static constexpr double kMemory = 0.6;         ///< seconds, time constant of the fading
+  static constexpr int kEnoughFrames = 3;        ///< that count, from which the sums tell something
+  static constexpr std::uint16_t kAll = 0xffff;  ///< pixels of a cell, a bit each
+  static constexpr int kLeastCells = 20;         ///< with edges, to tell whether they move
 
   /// Looks at the next frame. @param background zero where objects are, of full size. @return whether it counts.
   bool add(const FrameData& frame, const Image<std::uint8_t>& background) {
@@ -54,6 +56,10 @@ class StandingEdges {
   bool is_known() const { return frames_ >= kEnoughFrames; }
   /// Level of the pyramid.
   std::size_t level() const { return level_; }
+  /// Columns of pixels of the level.
+  int width() const { return width_; }
+  /// Rows of pixels of the level.
+  int height() const { return height_; }
   /// Columns of cells. A cell begins at the pixel (1 + kCell column, 1 + kCell row) of the level.
   int columns() const { return columns_; }
   /// Rows of cells.
@@ -62,6 +68,24 @@ class StandingEdges {
   std::size_t index(int column, int row) const { return at(column, row, columns_); }
   /// Whether a cell has edges, and no object.
   bool has_edges(std::size_t cell) const { return all_[cell] > 0 && !objects_[cell]; }
+  /// Whether a cell has edges that may be an object's.
+  bool has_any_edges(std::size_t cell) const { return all_[cell] > 0; }
+  /// Whether edges may have stayed on a part of a cell.
+  bool stays_in_part(std::size_t cell) const { return stay_[cell] > kStaysInPart * all_[cell]; }
+  /// The pixels of a cell whose edges have stayed, a bit each, by rows.
+  std::uint16_t staying_pixels(int column, int row) const {
+    static_assert(kCell * kCell <= 16);
+    const int edge = static_cast<int>(kEdge * kUnit * weight_);
+    unsigned pixels = 0;
+    for (int v = 0; v < kCell; ++v)
+      for (int u = 0; u < kCell; ++u) {
+        const std::size_t i = at(1 + column * kCell + u, 1 + row * kCell + v, width_);
+        const auto sum = static_cast<float>(std::abs(x_[i]) + std::abs(y_[i]));
+        const bool stays = length_[i] > edge && sum > kPixelStays * static_cast<float>(length_[i]);
+        pixels |= static_cast<unsigned>(stays) << (v * kCell + u);
+      }
+    return static_cast<std::uint16_t>(pixels);
+  }
   /// Whether its edges are others than in the frame that counted before the newest.
   bool is_other(std::size_t cell) const { return other_[cell]; }
   /// Whether its edges have stayed.
@@ -70,10 +94,12 @@ class StandingEdges {
   bool moves(std::size_t cell) const { return stay_[cell] < kMoves * all_[cell]; }
 
   /// Pixels by which a shift by (du, dv), pixels of the level, moves a cell's edges across themselves.
-  float crossing(int column, int row, float du, float dv) const {
+  /// @param pixels of the cell that count, a bit each, by rows.
+  float crossing(int column, int row, float du, float dv, std::uint16_t pixels = kAll) const {
     float moved = 0, all = 0;
     for (int v = 1 + row * kCell; v <= (row + 1) * kCell; ++v)
       for (int u = 1 + column * kCell; u <= (column + 1) * kCell; ++u) {
+        if (!has(pixels, u - 1 - column * kCell, v - 1 - row * kCell)) continue;
         const std::size_t i = at(u, v, width_);
         const auto x = static_cast<float>(x_[i]), y = static_cast<float>(y_[i]);
         moved += std::abs(x * du + y * dv);
@@ -92,8 +118,8 @@ class StandingEdges {
     bool is_contradicted() const { return shifted > 2 * unshifted; }
   };
   /// The change of a cell since the frame that counted before the newest, with a shift to it by (du, dv), pixels of the
-  /// level. Zero if the shift leads out of the image.
-  Change change(int column, int row, float du, float dv) const {
+  /// level. Zero if the shift leads out of the image. @param pixels of the cell that count, a bit each, by rows.
+  Change change(int column, int row, float du, float dv, std::uint16_t pixels = kAll) const {
     const int u0 = 1 + column * kCell, v0 = 1 + row * kCell;
     const float x = static_cast<float>(u0) + du, y = static_cast<float>(v0) + dv;
     constexpr auto kSize = static_cast<float>(kCell);
@@ -104,6 +130,7 @@ class StandingEdges {
     Variance shifted, unshifted;
     for (int v = 0; v < kCell; ++v)
       for (int u = 0; u < kCell; ++u) {
+        if (!has(pixels, u, v)) continue;
         const float now = newest_(u0 + u, v0 + v);
         const std::uint8_t *a = before_.row(top + v) + left + u, *b = before_.row(top + v + 1) + left + u;
         const float above = a[0] + right * static_cast<float>(a[1] - a[0]);
@@ -120,26 +147,30 @@ class StandingEdges {
  private:
   /// Of the pixels of a cell.
   struct Variance {
-    float sum = 0, squares = 0;
-    void add(float value) { sum += value, squares += value * value; }
-    float value() const { return (squares - sum * sum / (kCell * kCell)) / (kCell * kCell); }
+    float n = 0, sum = 0, squares = 0;
+    void add(float value) { n += 1, sum += value, squares += value * value; }
+    float value() const { return n > 0 ? (squares - sum * sum / n) / n : 0; }
   };
+
+  static bool has(std::uint16_t pixels, int u, int v) { return ((pixels >> (v * kCell + u)) & 1) != 0; }
 
   static constexpr double kShortest = 0.06;  ///< seconds between frames that count
   static constexpr double kLongest = 0.2;    ///< seconds by which a frame fades the sums at most: a pause is no motion
   static constexpr int kEdge = 4;            ///< grey values over two pixels, |gx| + |gy|
   static constexpr int kUnit = 2;  ///< of the sums, over grey values: they fit 16 bits, even those of a cell's column
   static constexpr float kStays = 0.95f, kMoves = 0.75f;  ///< |sum g| over sum |g|
-  static constexpr float kOther = 0.4f;     ///< |g - g'| over |g| + |g'|, from which an edge is another one
-  static constexpr double kChanged = 0.25;  ///< share of the cells with other edges, from which a frame counts
+  static constexpr float kPixelStays = 0.9f;  ///< the same, of a pixel: an overlay may let shine through what is behind
+  static constexpr float kStaysInPart = 0.5f;  ///< the same, of a cell with other edges beside those that stay
+  static constexpr float kOther = 0.4f;        ///< |g - g'| over |g| + |g'|, from which an edge is another one
+  static constexpr double kChanged = 0.25;     ///< share of the cells with other edges, from which a frame counts
 
   static std::size_t at(int column, int row, int columns) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
   }
 
   void choose_level(const Pyramid& pyramid) {
-    std::size_t level = 0;
     const auto pixels = [&](std::size_t l) { return pyramid.levels[l].width() * pyramid.levels[l].height(); };
+    std::size_t level = pyramid.levels.size() > 1 && pixels(0) > kFewPixels ? 1 : 0;
     while (level + 1 < pyramid.levels.size() && pixels(level) > kMostPixels) ++level;
     const int width = pyramid.levels[level].width(), height = pyramid.levels[level].height();
     if (width == width_ && height == height_ && level == level_) return;

@@ -43,6 +43,7 @@ struct ObjectTracker {
   const ObjectMotionEstimator& estimator;  ///< finds and checks a motion
   const SelectionSettings& selection;      ///< of an object's points
   DepthSource depth_source;                ///< source of the depth
+  const OverlaidPixels& overlaid;          ///< that give no points
   const kernel::Kernels& kernels;          ///< of the selection
 
   /// Finds T_o over the last interval, and the evidence of the reference that is most precise about the motion. The

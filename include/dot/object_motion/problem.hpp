@@ -8,6 +8,7 @@
 #include "dot/align/aligner.hpp"
 #include "dot/motion/settings.hpp"
 #include "dot/object_motion/reference.hpp"
+#include "dot/points/plane_fit.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -35,7 +36,6 @@ AlignProblem<Camera> object_problem(const ReferencePair& pair, const ObjectScene
   constexpr double kUnseenCost = 1;      // of a point that is not seen: an inlier costs about 0.45, an outlier 3.7
   constexpr double kNearest = 0.05;      // metres
   constexpr double kAgreeingSigmas = 3;  // largest difference of agreeing depths
-  constexpr int kCorrelatedArea = 45;    // pixels whose depths together count as one, as in Selector
   const ObjectReference& reference = pair.reference;
   AlignProblem<Camera> problem{reference.points, scene.image, scene.camera};
   problem.T_outer = pair.camera.T_now_ref;

@@ -126,6 +126,7 @@ class Dot {
             options_.mask,
             options_.selection,
             options_.depth_noise.source,
+            camera_tracker_.overlaid(),
             kernels(),
             threads};
   }

@@ -15,6 +15,10 @@ DOT_BEGIN_NAMESPACE
 /// A plane in space is linear in inverse depth over the image: q(u, v) = q + du (u - u0) + dv (v - v0).
 using PlaneFit = kernel::Plane;
 
+/// Pixels whose depths together count as one. The error of n pixels averages like that of n / kCorrelatedArea
+/// independent ones, because stereo and interpolated depth are smooth.
+constexpr int kCorrelatedArea = 45;
+
 /// Windows for planes about single pixels. Depths of neighbouring pixels are not independent, so some rows of a large
 /// window give as much information as all.
 /// @param radius pixels. @param min_inliers pixels that must support a plane.

@@ -9,6 +9,7 @@
 #include "dot/abi.hpp"
 #include "dot/image/pyramid.hpp"
 #include "dot/kernel/portable_kernels.hpp"
+#include "dot/points/overlaid_pixels.hpp"
 #include "dot/points/plane_fit.hpp"
 #include "dot/points/point_set.hpp"
 #include "dot/points/settings.hpp"
@@ -55,12 +56,9 @@ struct SelectionWorkspace {
 /// strongest gradient (in a large cell, of every few rows), with the depth of the plane that fits the pixel's
 /// surroundings.
 ///
-/// A raw depth pixel has its own noise and, near an edge, the depth of another surface. The plane has neither. The
-/// error of n pixels averages like that of n / kCorrelatedArea independent ones, because stereo and interpolated depth
-/// are smooth.
+/// A raw depth pixel has its own noise and, near an edge, the depth of another surface. The plane has neither.
 template <typename Camera, typename Noise>
 struct Selector {
-  static constexpr float kCorrelatedArea = 45;  ///< px
   static constexpr int kMostRows = 16;  ///< rows of a cell that are searched; the best of so many is strong enough
 
   const Camera& camera;                                 ///< of level 0
@@ -70,6 +68,7 @@ struct Selector {
   const SelectionSettings& settings;                    ///< distances, gradients and window
   SelectionWorkspace& workspace;                        ///< memory
   const kernel::Kernels& kernels = portable_kernels();  ///< for the gradients and planes
+  const OverlaidPixels* overlaid = nullptr;             ///< that give an object no points
 
   /// Appends points, in the order of the cells.
   void operator()(const SelectionRegion& region, PointSet& points) const {
@@ -175,7 +174,7 @@ struct Selector {
       } else if (fit.inliers == 0 || fit.variance > 6.25f * sigma * sigma) {
         continue;
       }
-      const float independent = std::max(1.f, static_cast<float>(fit.inliers) / kCorrelatedArea);
+      const float independent = std::max(1.f, static_cast<float>(fit.inliers) / static_cast<float>(kCorrelatedArea));
       const float sigma_q = std::max(std::sqrt(fit.variance), 0.25f * sigma) / std::sqrt(independent);
       const float u = static_cast<float>(region.box.x + seed.u), v = static_cast<float>(region.box.y + seed.v);
       const auto ray = camera.template unproject<float>(Eigen::Matrix<float, 2, 1>(u, v));

@@ -108,7 +108,6 @@ inline void admit(ImageView<const float> frame, const Box& box, ImageView<const 
 /// @return variance, at the object's border, of the difference between the plane and a plane through its true surface,
 /// 1/m^2; 0 where too few pixels have depth for a tilt. An object's size limits it.
 inline double level_by_noise(ImageView<const float> surface, int step, float median_q, double relief, PlaneFit& plane) {
-  constexpr int kCorrelated = 45;        // pixels whose depths together count as one, as in Selector
   constexpr double kAtBorder = 3;        // square of a tilt at the border, over its mean square
   constexpr double kOfRelief = 1.0 / 3;  // a car's root mean square about its plane, over half of its size
   const int column = surface.width / 2, row = surface.height / 2;
@@ -120,11 +119,11 @@ inline double level_by_noise(ImageView<const float> surface, int step, float med
       n += 1, u += du, v += dv, uu += du * du, uv += du * dv, vv += dv * dv;
     }
   const double a = static_cast<double>(plane.du), b = static_cast<double>(plane.dv);
-  const bool is_fitted = plane.inliers > kCorrelated && n > 0;
+  const bool is_fitted = plane.inliers > kCorrelatedArea && n > 0;
   const double each = n > 0 ? 1 / n : 0, mean_u = u * each, mean_v = v * each;
   const double tilt = a * a * (uu * each - mean_u * mean_u) + 2 * a * b * (uv * each - mean_u * mean_v) +
                       b * b * (vv * each - mean_v * mean_v);
-  const double of_slope = static_cast<double>(plane.variance) * kCorrelated / std::max(1, plane.inliers);
+  const double of_slope = static_cast<double>(plane.variance) * kCorrelatedArea / std::max(1, plane.inliers);
   const double most = relief * relief;
   const double left = is_fitted && tilt > 0 ? std::max(0.0, 1 - 2 * of_slope / tilt) : 0;
   plane.du = static_cast<float>(left * a);
@@ -194,6 +193,7 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
     out.slope_variance = selecting::level_by_noise(work.surface.view(), step, out.median_q, relief, plane);
   }
   selecting::admit(frame, box, mask, area, flat ? out.median_q : 0, slack, work);
+  if (select.overlaid) select.overlaid->cut(box.x, box.y, work.mask.view());
 
   SelectionRegion region;
   region.box = box;

@@ -6,6 +6,7 @@
 #include "dot/kernel/kernels.hpp"
 #include "dot/mask/settings.hpp"
 #include "dot/object_motion/estimator.hpp"
+#include "dot/points/overlaid_pixels.hpp"
 #include "dot/points/settings.hpp"
 #include "dot/threads/threads.hpp"
 
@@ -21,6 +22,7 @@ struct TrackingSetup {
   const MaskSettings& mask;                ///< association and propagation
   const SelectionSettings& selection;      ///< of an object's points
   DepthSource depth_source;                ///< source of the depth
+  const OverlaidPixels& overlaid;          ///< that give no points
   const kernel::Kernels& kernels;          ///< of the selection
   const Threads& threads;                  ///< that follow objects
 };

@@ -37,7 +37,7 @@ class Tracks {
 
   /// The tracker of one object. @param noise may differ from the setup's. All arguments are borrowed.
   static ObjectTracker<Camera, Noise, Aligner> tracker(const Setup& setup, const Noise& noise) {
-    return {setup.camera, noise, setup.estimator, setup.selection, setup.depth_source, setup.kernels};
+    return {setup.camera, noise, setup.estimator, setup.selection, setup.depth_source, setup.overlaid, setup.kernels};
   }
 
   /// Creates one worker per thread, each with a copy of the aligner.

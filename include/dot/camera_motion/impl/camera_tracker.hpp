@@ -173,13 +173,18 @@ void CameraTracker<Camera, Noise, Aligner>::learn_depth(const FrameData& cur, co
 }
 
 template <typename Camera, typename Noise, typename Aligner>
-bool CameraTracker<Camera, Noise, Aligner>::take_background(const FrameData& cur, const CameraStep& step,
-                                                            const PaintedImage<std::uint8_t>& labels,
-                                                            const Selector<Camera, Noise>& select, int min_points) {
-  const int width = labels.image().width(), height = labels.image().height();
+void CameraTracker<Camera, Noise, Aligner>::find_fixed_parts(const FrameData& cur, const CameraStep& step,
+                                                             const PaintedImage<std::uint8_t>& labels,
+                                                             const Image<std::uint32_t>& ids, const Camera& camera) {
   mask_.set(labels);
-  held_ = fixed_parts_.look(cur, mask_.pixels, step, select.camera);
+  held_ = fixed_parts_.look(cur, mask_.pixels, ids, step, camera);
   fixed_parts_.exclude(mask_.pixels);
+}
+
+template <typename Camera, typename Noise, typename Aligner>
+bool CameraTracker<Camera, Noise, Aligner>::take_background(const FrameData& cur, const CameraStep& step,
+                                                            const Selector<Camera, Noise>& select, int min_points) {
+  const int width = mask_.pixels.width(), height = mask_.pixels.height();
   if constexpr (std::is_same_v<Noise, DepthNoise>)
     depth_learning_.remember(select.camera, cur.inverse_depth(), mask_.pixels, cur.timestamp, cur.bias);
   fresh_.clear();

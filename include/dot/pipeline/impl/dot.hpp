@@ -204,6 +204,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::remember(const CameraStep& camera_
     return at != tracks.end() && (*at)->identity.id == id && (*at)->identity.discovered;
   };
   if (options_.discover_unknown) discovery_.remember(labeller_.ids(), is_discovered, cur.timestamp);
+  camera_tracker_.find_fixed_parts(cur, camera_step, labeller_.labels(), labeller_.ids(), camera_);
   const Setup setup = this->setup();
   threads.run(1 + static_cast<int>(tracks.size()), [&](int thread, int i) {
     auto& worker = tracks_.workers()[static_cast<std::size_t>(thread)];
@@ -211,8 +212,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::remember(const CameraStep& camera_
     const Selector<Camera, Noise> select{
         camera_,  depth_noise, cur.pyramid, cur.inverse_depth().view(), options_.selection, worker.object.selection,
         kernels()};
-    result_.too_little_depth = !camera_tracker_.take_background(cur, camera_step, labeller_.labels(), select,
-                                                                camera_estimator.settings.min_points);
+    result_.too_little_depth =
+        !camera_tracker_.take_background(cur, camera_step, select, camera_estimator.settings.min_points);
   });
 }
 

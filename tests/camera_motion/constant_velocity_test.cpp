@@ -25,7 +25,8 @@ TEST(ConstantVelocity, LeadsStraightOnWhileTheCameraShakes) {
   const auto T_c_w = [](const Vector3<double>& angles, double z) {
     return SE3d{dot::so3::exp(angles), Vector3<double>::Zero()} * SE3d::translation({0, 0, -z});
   };
-  const SE3d first = T_c_w({0, 0, 0}, 0), second = T_c_w({0.05, -0.07, 0.02}, 2.5), third = T_c_w({-0.03, 0.08, 0.1}, 5);
+  const SE3d first = T_c_w({0, 0, 0}, 0), second = T_c_w({0.05, -0.07, 0.02}, 2.5),
+             third = T_c_w({-0.03, 0.08, 0.1}, 5);
   const SE3d before = second * first.inverse(), now = third * second.inverse();
   EXPECT_LT(change_of_place(now, before), 1e-12);
   EXPECT_GT((now.inverse().t - before.inverse().t).norm(), 0.1);  // along a bend it leads elsewhere

@@ -42,7 +42,7 @@ class Overlays {
           continue;
         }
         cell.staying = edges.stays_in_part(i) ? edges.staying_pixels(column, row) : std::uint16_t{0};
-        const std::uint32_t id = id_of(ids, edges, column, row);
+        const std::uint32_t id = edges.has_object(i) ? id_of(ids, edges, column, row) : 0;
         if (count_bits(cell.staying) < kLeastPixels) {
           cell = {};
         } else {

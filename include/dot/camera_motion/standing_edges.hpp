@@ -68,6 +68,8 @@ class StandingEdges {
   std::size_t index(int column, int row) const { return at(column, row, columns_); }
   /// Whether a cell has edges, and no object.
   bool has_edges(std::size_t cell) const { return all_[cell] > 0 && !objects_[cell]; }
+  /// Whether the middle of a cell is on an object.
+  bool has_object(std::size_t cell) const { return objects_[cell] != 0; }
   /// Whether a cell has edges that may be an object's.
   bool has_any_edges(std::size_t cell) const { return all_[cell] > 0; }
   /// Whether edges may have stayed on a part of a cell.

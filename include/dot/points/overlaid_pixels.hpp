@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
+#include <vector>
 
 #include "dot/abi.hpp"
 #include "dot/image/image.hpp"
@@ -22,6 +24,7 @@ class OverlaidPixels {
     if (square == 0) return;
     squares_.resize(width, height);
     squares_.fill(0);
+    spans_.assign(static_cast<std::size_t>(height), Span{});
   }
 
   /// There are no overlays.
@@ -29,8 +32,12 @@ class OverlaidPixels {
 
   /// Adds a square and those beside it: a gradient takes in the pixels beside it.
   void add(int column, int row) {
-    for (int v = std::max(0, row - 1); v <= std::min(squares_.height() - 1, row + 1); ++v)
-      for (int u = std::max(0, column - 1); u <= std::min(squares_.width() - 1, column + 1); ++u) squares_(u, v) = 1;
+    const int left = std::max(0, column - 1), right = std::min(squares_.width() - 1, column + 1);
+    for (int v = std::max(0, row - 1); v <= std::min(squares_.height() - 1, row + 1); ++v) {
+      Span& span = spans_[static_cast<std::size_t>(v)];
+      span.first = std::min(span.first, left), span.last = std::max(span.last, right);
+      for (int u = left; u <= right; ++u) squares_(u, v) = 1;
+    }
   }
 
   /// Whether there are any.
@@ -45,8 +52,9 @@ class OverlaidPixels {
       const int top = std::max(0, row * square_ - y);
       const int bottom = row == last_row ? mask.height : std::min(mask.height, (row + 1) * square_ - y);
       const std::uint8_t* squares = squares_.row(row);
-      for (int column = std::min(x / square_, last_column);
-           column <= std::min((x + mask.width - 1) / square_, last_column); ++column) {
+      const Span& span = spans_[static_cast<std::size_t>(row)];
+      const int end = std::min({(x + mask.width - 1) / square_, last_column, span.last});
+      for (int column = std::max(std::min(x / square_, last_column), span.first); column <= end; ++column) {
         if (!squares[column]) continue;
         const int left = std::max(0, column * square_ - x);
         const int right = column == last_column ? mask.width : std::min(mask.width, (column + 1) * square_ - x);
@@ -56,8 +64,14 @@ class OverlaidPixels {
   }
 
  private:
+  /// Of the overlaid squares of a row.
+  struct Span {
+    int first = std::numeric_limits<int>::max(), last = -1;
+  };
+
   int square_ = 0;
   Image<std::uint8_t> squares_;  ///< non-zero: overlaid
+  std::vector<Span> spans_;      ///< of each row
 };
 
 DOT_END_NAMESPACE

@@ -275,6 +275,9 @@ TEST(Overlays, OfAnySizeAreExcluded) {
   camera.setting.speed = setting.speed, camera.setting.has_part = false;
   camera.drive(3);
   EXPECT_EQ(excluded(), 0) << "though it is gone";
+  camera.setting.has_part = true, camera.setting.part_distance = 1000;  // something far, which stays as well
+  camera.drive(3);
+  EXPECT_EQ(excluded(), 0) << "of another thing";
 }
 
 TEST(FixedParts, AreNoneInAnImageThatIsTooSmall) {

@@ -90,14 +90,12 @@ class FixedParts {
   }
 
  private:
-  static constexpr float kKeep = 0.8f;       ///< of `crossed`, from one frame that counts to the next
-  static constexpr float kMostShift = 1.5f;  ///< pixels of the level: longer ones tell no more
-  static constexpr float kHeld = 1;          ///< the same; its motion moves what holds the camera by less
-  static constexpr float kCrossed = 2.5f;    ///< pixels of the level that an edge should have moved across itself
-  static constexpr float kSuspected = 5;     ///< the same, assumed where the motion is refuted: a trial of four frames
-  static constexpr int kLeastCompared = 5;   ///< cells
-  static constexpr int kTrial = 8;           ///< frames that count, after which a trial is over
-  static constexpr double kMoving = 0.4;     ///< share of the cells with edges: some of them stay in any scene
+  static constexpr float kHeld = 1;         ///< pixels of the level: a motion that a part holds moves that part by less
+  static constexpr float kCrossed = 2.5f;   ///< pixels of the level that an edge should have moved across itself
+  static constexpr float kSuspected = 5;    ///< the same, assumed where the motion is refuted: a trial of four frames
+  static constexpr int kLeastCompared = 5;  ///< cells
+  static constexpr int kTrial = 8;          ///< frames that count, after which a trial is over
+  static constexpr double kMoving = 0.4;    ///< share of the cells with edges: some of them stay in any scene
   static constexpr double kMostShare = 1.0 / 3;  ///< of the image: what stays on more of it is the scene
   static constexpr double kManyShare = 0.08;  ///< of the image, that is excluded on trial though the motion seems right
   static constexpr std::size_t kFarther = 2;  ///< bins
@@ -132,7 +130,7 @@ class FixedParts {
         const bool moves = edges_.moves(i);
         if (moves) cell.crossed = 0, cell.tried = 0;
         if (known_ && !is_refuted()) {
-          cell.crossed *= kKeep;
+          cell.crossed *= StandingEdges::kKeep;
           if (cell.tried > 0) cell.tried = std::min(cell.tried + 1, kTrial);
         }
         const bool tells = edges_.is_other(i) && (row + column) % kEvery == 0;
@@ -145,9 +143,7 @@ class FixedParts {
         changed += tells;
         explained += tells && change.is_explained();
         if (is_asked && !scene_stays_ && change.is_contradicted()) {
-          const float length = shift.norm();
-          const float shorten = length > kMostShift ? kMostShift / length : 1;
-          cell.crossed += edges_.crossing(column, row, shorten * shift.x(), shorten * shift.y());
+          cell.crossed += edges_.crossing(column, row, shift.x(), shift.y());
         }
       }
     if (!known_ || changed < kLeastCompared) return;

@@ -42,12 +42,12 @@ class Overlays {
           continue;
         }
         cell.staying = edges.stays_in_part(i) ? edges.staying_pixels(column, row) : std::uint16_t{0};
-        const std::uint32_t id = edges.has_object(i) ? id_of(ids, edges, column, row) : 0;
+        const std::uint32_t id = edges.has_object(i) ? edges.in_middle(ids, column, row) : 0;
         if (count_bits(cell.staying) < kLeastPixels) {
           cell = {};
         } else {
           if (!is_overlaid(cell))
-            cell.crossed = kKeep * cell.crossed + crossing(edges, shift, column, row, cell.staying);
+            cell.crossed = StandingEdges::kKeep * cell.crossed + crossing(edges, shift, column, row, cell.staying);
           if (id != cell.id && id != 0) cell.was_first = std::binary_search(ids_.begin(), ids_.end(), id);
         }
         cell.id = id;
@@ -73,10 +73,8 @@ class Overlays {
   }
 
  private:
-  static constexpr float kKeep = 0.8f;       ///< of `crossed`, from one frame that counts to the next
-  static constexpr float kMostShift = 1.5f;  ///< pixels of the level: longer ones tell no more
-  static constexpr float kCrossed = 2;       ///< pixels of the level that an edge should have moved across itself
-  static constexpr int kLeastPixels = 3;     ///< of a cell, that stay
+  static constexpr float kCrossed = 2;    ///< pixels of the level that an edge should have moved across itself
+  static constexpr int kLeastPixels = 3;  ///< of a cell, that stay
 
   struct Cell {
     float crossed = 0;          ///< pixels of the level by which its staying edges should have moved across themselves
@@ -108,11 +106,6 @@ class Overlays {
     return n;
   }
 
-  static std::uint32_t id_of(const Image<std::uint32_t>& ids, const StandingEdges& edges, int column, int row) {
-    const int size = StandingEdges::kCell << edges.level(), middle = (1 + StandingEdges::kCell / 2) << edges.level();
-    return ids(column * size + middle, row * size + middle);
-  }
-
   /// Pixels by which the camera's motion should have moved the edges of some pixels across themselves; 0 if it is not
   /// known, or if it explains how they changed.
   template <typename Camera>
@@ -122,8 +115,7 @@ class Overlays {
     // Beside a near object the edges may be of what is far behind it, and stay.
     if (!cell_shift(column, row, cell_shift.farthest(column, row), shift)) return 0;
     if (!edges.change(column, row, shift.x(), shift.y(), pixels).is_contradicted()) return 0;
-    const float length = shift.norm(), shorten = length > kMostShift ? kMostShift / length : 1;
-    return edges.crossing(column, row, shorten * shift.x(), shorten * shift.y(), pixels);
+    return edges.crossing(column, row, shift.x(), shift.y(), pixels);
   }
 
   /// Leaves the edges to each object of which more than half would be an overlay's. Remembers the objects.

@@ -25,12 +25,13 @@ DOT_BEGIN_NAMESPACE
 class StandingEdges {
  public:
   static constexpr int kCell = 4;                ///< pixels of the level, size of a cell
-  static constexpr int kMostPixels = 120000;     ///< of the level
+  static constexpr int kMostPixels = 120000;     ///< of the level: lines drawn into the image are 1/200 of its height
   static constexpr int kFewPixels = 30000;       ///< of an image of which the finest level is taken, though it is noisy
   static constexpr double kMemory = 0.6;         ///< seconds, time constant of the fading
   static constexpr int kEnoughFrames = 3;        ///< that count, from which the sums tell something
   static constexpr std::uint16_t kAll = 0xffff;  ///< pixels of a cell, a bit each
-  static constexpr int kLeastCells = 20;         ///< with edges, to tell whether they move
+  static constexpr float kKeep = 0.8f;  ///< of what its edges should have crossed, from a frame that counts to the next
+  static constexpr int kLeastCells = 20;  ///< with edges, to tell whether they move
 
   /// Looks at the next frame. @param background zero where objects are, of full size. @return whether it counts.
   bool add(const FrameData& frame, const Image<std::uint8_t>& background) {
@@ -95,9 +96,18 @@ class StandingEdges {
   /// Whether its edges have moved.
   bool moves(std::size_t cell) const { return stay_[cell] < kMoves * all_[cell]; }
 
-  /// Pixels by which a shift by (du, dv), pixels of the level, moves a cell's edges across themselves.
-  /// @param pixels of the cell that count, a bit each, by rows.
+  /// The pixel of an image of full size in the middle of a cell.
+  template <typename T>
+  const T& in_middle(const Image<T>& full, int column, int row) const {
+    const int size = kCell << level_, middle = (1 + kCell / 2) << level_;
+    return full(column * size + middle, row * size + middle);
+  }
+
+  /// Pixels by which a shift by (du, dv), pixels of the level, moves a cell's edges across themselves; at most
+  /// kMostShift. @param pixels of the cell that count, a bit each, by rows.
   float crossing(int column, int row, float du, float dv, std::uint16_t pixels = kAll) const {
+    const float length = std::sqrt(du * du + dv * dv);
+    if (length > kMostShift) du *= kMostShift / length, dv *= kMostShift / length;
     float moved = 0, all = 0;
     for (int v = 1 + row * kCell; v <= (row + 1) * kCell; ++v)
       for (int u = 1 + column * kCell; u <= (column + 1) * kCell; ++u) {
@@ -163,6 +173,7 @@ class StandingEdges {
   static constexpr float kStays = 0.95f, kMoves = 0.75f;  ///< |sum g| over sum |g|
   static constexpr float kPixelStays = 0.9f;  ///< the same, of a pixel: an overlay may let shine through what is behind
   static constexpr float kStaysInPart = 0.5f;  ///< the same, of a cell with other edges beside those that stay
+  static constexpr float kMostShift = 1.5f;    ///< pixels of the level: longer shifts tell no more
   static constexpr float kOther = 0.4f;        ///< |g - g'| over |g| + |g'|, from which an edge is another one
   static constexpr double kChanged = 0.25;     ///< share of the cells with other edges, from which a frame counts
 
@@ -192,10 +203,9 @@ class StandingEdges {
 
   /// Marks the cells whose middle is on an object.
   void mark_objects(const Image<std::uint8_t>& background) {
-    const int size = kCell << level_, middle = (1 + kCell / 2) << level_;
     for (int row = 0; row < rows_; ++row)
       for (int column = 0; column < columns_; ++column)
-        objects_[index(column, row)] = background(column * size + middle, row * size + middle) == 0;
+        objects_[index(column, row)] = in_middle(background, column, row) == 0;
   }
 
   /// Calls visit(cell, part, all) with the sums over each cell of what add_row(v, parts, alls) has added to the columns

@@ -31,6 +31,8 @@ struct Images {
   std::vector<dot::kernel::PlaneSeed> seeds;
   std::vector<dot::kernel::Plane> planes = std::vector<dot::kernel::Plane>(kPlanes);
   std::vector<int> keys = std::vector<int>(kWidth);
+  std::vector<short> edges_x = std::vector<short>(kPixels), edges_y = edges_x, edges_length = edges_x;
+  std::vector<unsigned short> part = std::vector<unsigned short>(kWidth), all = part;
 
   Images() {
     std::minstd_rand bits(3);
@@ -52,6 +54,7 @@ struct Images {
     }
   }
   const std::uint8_t* row(int y) const { return grey.data() + y * kStride; }
+  dot::kernel::ThreeRows rows(int y) const { return {row(y) + 1, row(y + 1) + 1, row(y + 2) + 1}; }
 };
 
 /// Calls one kernel, for all rows.
@@ -118,6 +121,19 @@ constexpr Bench benches[] = {
     {"halve", kPixels,
      [](const Kernels& k, Images& in) {
        each_row([&](int y, std::size_t at) { k.halve(in.row(2 * y), in.row(2 * y + 1), kWidth, &in.out[at]); });
+     }},
+    {"compare_edges", kPixels,
+     [](const Kernels& k, Images& in) {
+       each_row([&](int y, std::size_t) {
+         k.compare_edges(in.rows(y), in.rows(y + kRows), kWidth, {in.part.data(), in.all.data()});
+       });
+     }},
+    {"sum_edges", kPixels,
+     [](const Kernels& k, Images& in) {
+       each_row([&](int y, std::size_t at) {
+         k.sum_edges(in.rows(y), kWidth, {&in.edges_x[at], &in.edges_y[at], &in.edges_length[at], 10100, 60},
+                     {in.part.data(), in.all.data()}, &in.out[at]);
+       });
      }},
 };
 

@@ -37,10 +37,10 @@ class FixedParts {
   /// @return whether parts were found that have held the camera, so that its velocity is not known.
   template <typename Camera>
   bool look(const FrameData& frame, const Image<std::uint8_t>& background, const Image<std::uint32_t>& ids,
-            const CameraStep& step, const Camera& camera) {
+            const CameraStep& step, const Camera& camera, const kernel::Kernels& kernels) {
     T_cur_last_ = step.T_cur_prev * T_cur_last_;
     known_ = known_ && step.known();
-    if (!edges_.add(frame, background)) return false;
+    if (!edges_.add(frame, background, kernels)) return false;
     resize(edges_.index(0, edges_.rows()));
     stood_ = step.known() && step.alignment.stands ? kTrial : std::max(0, stood_ - 1);
     scene_stays_ = stood_ > 0 || scene_stays();

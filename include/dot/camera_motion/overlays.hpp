@@ -31,7 +31,8 @@ class Overlays {
   void look(const StandingEdges& edges, const CellShift<Camera>& shift, const Image<std::uint32_t>& ids) {
     resize(edges);
     if (!edges.is_known()) return;
-    on_objects_.clear();
+    std::swap(objects_, before_);
+    objects_.clear();
     bool any = false;
     for (int row = 0; row < edges.rows(); ++row)
       for (int column = 0; column < edges.columns(); ++column) {
@@ -43,21 +44,19 @@ class Overlays {
         }
         cell.staying = edges.stays_in_part(i) ? edges.staying_pixels(column, row) : std::uint16_t{0};
         const std::uint32_t id = edges.has_object(i) ? edges.in_middle(ids, column, row) : 0;
-        if (count_bits(cell.staying) < kLeastPixels) {
+        if (!has_enough(cell.staying)) {
           cell = {};
         } else {
           if (!is_overlaid(cell))
-            cell.crossed = StandingEdges::kKeep * cell.crossed + crossing(edges, shift, column, row, cell.staying);
-          if (id != cell.id && id != 0) cell.was_first = std::binary_search(ids_.begin(), ids_.end(), id);
+            cell.crossed = StandingEdges::kKeep * cell.crossed + crossing(edges, shift, column, row);
+          if (id != cell.id && id != 0) cell.was_first = is_among(before_, id);
         }
         cell.id = id;
         cell.marked = is_overlaid(cell);
         any |= cell.marked;
-        if (id != 0) on_objects_.push_back({id, i});
+        if (id != 0) count(cell);
       }
-    std::sort(on_objects_.begin(), on_objects_.end(),
-              [](const OnObject& a, const OnObject& b) { return std::pair(a.id, a.cell) < std::pair(b.id, b.cell); });
-    keep_objects();
+    if (any) keep_objects();
     pixels_.set(any ? 1 << edges.level() : 0, edges.width(), edges.height());
     if (any) mark(edges);
   }
@@ -68,13 +67,12 @@ class Overlays {
   /// Forgets everything. Keeps the memory.
   void forget() noexcept {
     std::fill(cells_.begin(), cells_.end(), Cell{});
-    ids_.clear();
+    objects_.clear();
     pixels_.clear();
   }
 
  private:
-  static constexpr float kCrossed = 2;    ///< pixels of the level that an edge should have moved across itself
-  static constexpr int kLeastPixels = 3;  ///< of a cell, that stay
+  static constexpr float kCrossed = 2;  ///< pixels of the level that an edge should have moved across itself
 
   struct Cell {
     float crossed = 0;          ///< pixels of the level by which its staying edges should have moved across themselves
@@ -83,9 +81,10 @@ class Overlays {
     bool was_first = false;     ///< whether its edges stayed while that object came there
     bool marked = false;        ///< whether its staying pixels are an overlay's
   };
-  struct OnObject {
+  struct Object {
     std::uint32_t id = 0;
-    std::size_t cell = 0;
+    int cells = 0;   ///< with edges
+    int marked = 0;  ///< of these, whose staying pixels would be an overlay's
   };
 
   static bool is_overlaid(const Cell& cell) { return cell.crossed > kCrossed; }
@@ -93,41 +92,55 @@ class Overlays {
   void resize(const StandingEdges& edges) {
     const std::size_t cells = edges.index(0, edges.rows());
     if (cells_.size() == cells) return;
-    on_objects_.reserve(cells);
-    ids_.reserve(cells);
+    for (auto* objects : {&objects_, &before_}) objects->reserve(cells);
     pixels_.set(1 << edges.level(), edges.width(), edges.height());
     pixels_.clear();
     cells_.assign(cells, {});
   }
 
-  static int count_bits(unsigned bits) {
-    int n = 0;
-    for (; bits; bits &= bits - 1) ++n;
-    return n;
+  /// Whether three pixels or more stay.
+  static bool has_enough(unsigned staying) {
+    const unsigned without_one = staying & (staying - 1);
+    return (without_one & (without_one - 1)) != 0;
   }
 
-  /// Pixels by which the camera's motion should have moved the edges of some pixels across themselves; 0 if it is not
-  /// known, or if it explains how they changed.
+  static bool is_among(const std::vector<Object>& objects, std::uint32_t id) {
+    return std::any_of(objects.begin(), objects.end(), [id](const Object& o) { return o.id == id; });
+  }
+
+  Object& object_of(const Cell& cell) {
+    const auto is_its = [&](const Object& o) { return o.id == cell.id; };
+    if (last_ < objects_.size() && is_its(objects_[last_])) return objects_[last_];  // as the cell beside it
+    const auto at = std::find_if(objects_.begin(), objects_.end(), is_its);
+    last_ = static_cast<std::size_t>(at - objects_.begin());
+    if (at == objects_.end()) objects_.push_back({cell.id});
+    return objects_[last_];
+  }
+
+  void count(const Cell& cell) {
+    Object& object = object_of(cell);
+    ++object.cells;
+    object.marked += cell.marked;
+  }
+
+  /// Pixels by which the camera's motion should have moved the staying edges of a cell across themselves; 0 if it is
+  /// not known, or if it explains how they changed.
   template <typename Camera>
-  static float crossing(const StandingEdges& edges, const CellShift<Camera>& cell_shift, int column, int row,
-                        std::uint16_t pixels) {
+  static float crossing(const StandingEdges& edges, const CellShift<Camera>& cell_shift, int column, int row) {
+    constexpr auto kStaying = StandingEdges::Pixels::Staying;
     Vector2<float> shift;
     // Beside a near object the edges may be of what is far behind it, and stay.
     if (!cell_shift(column, row, cell_shift.farthest(column, row), shift)) return 0;
-    if (!edges.change(column, row, shift.x(), shift.y(), pixels).is_contradicted()) return 0;
-    return edges.crossing(column, row, shift.x(), shift.y(), pixels);
+    if (!edges.change(column, row, shift.x(), shift.y(), kStaying).is_contradicted()) return 0;
+    return edges.crossing(column, row, shift.x(), shift.y(), kStaying);
   }
 
-  /// Leaves the edges to each object of which more than half would be an overlay's. Remembers the objects.
+  /// Leaves the edges to each object of which more than half would be an overlay's.
   void keep_objects() {
-    ids_.clear();
-    for (auto first = on_objects_.begin(); first != on_objects_.end();) {
-      const auto last = std::find_if(first, on_objects_.end(), [&](const OnObject& o) { return o.id != first->id; });
-      const auto marked = std::count_if(first, last, [&](const OnObject& o) { return cells_[o.cell].marked; });
-      if (2 * marked > last - first)
-        for (auto o = first; o != last; ++o) cells_[o->cell].marked &= cells_[o->cell].was_first;
-      ids_.push_back(first->id);
-      first = last;
+    for (Cell& cell : cells_) {
+      if (!cell.marked || cell.id == 0) continue;
+      const Object& object = object_of(cell);
+      if (2 * object.marked > object.cells) cell.marked = cell.was_first;
     }
   }
 
@@ -147,8 +160,8 @@ class Overlays {
   }
 
   std::vector<Cell> cells_;
-  std::vector<OnObject> on_objects_;  ///< cells with edges, by object: scratch
-  std::vector<std::uint32_t> ids_;    ///< of the objects in the frame before, sorted
+  std::vector<Object> objects_, before_;  ///< in the newest frame and in the one before
+  std::size_t last_ = 0;                  ///< place in `objects_` of the one that was asked for last
   OverlaidPixels pixels_;
 };
 

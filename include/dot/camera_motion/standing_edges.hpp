@@ -6,13 +6,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
 #include "dot/abi.hpp"
+#include "dot/camera_motion/cell_change.hpp"
 #include "dot/frame/frame_data.hpp"
 #include "dot/image/image.hpp"
+#include "dot/kernel/kernels.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -24,30 +25,32 @@ DOT_BEGIN_NAMESPACE
 /// sums are of cells of a coarse level of the pyramid.
 class StandingEdges {
  public:
-  static constexpr int kCell = 4;                ///< pixels of the level, size of a cell
-  static constexpr int kMostPixels = 120000;     ///< of the level: lines drawn into the image are 1/200 of its height
-  static constexpr int kFewPixels = 30000;       ///< of an image of which the finest level is taken, though it is noisy
-  static constexpr double kMemory = 0.6;         ///< seconds, time constant of the fading
-  static constexpr int kEnoughFrames = 3;        ///< that count, from which the sums tell something
-  static constexpr std::uint16_t kAll = 0xffff;  ///< pixels of a cell, a bit each
+  static constexpr int kCell = 4;             ///< pixels of the level, size of a cell
+  static constexpr int kMostPixels = 120000;  ///< of the level: lines drawn into the image are 1/200 of its height
+  static constexpr int kFewPixels = 30000;    ///< of an image of which the finest level is taken, though it is noisy
+  static constexpr double kMemory = 0.6;      ///< seconds, time constant of the fading
+  static constexpr int kEnoughFrames = 3;     ///< that count, from which the sums tell something
   static constexpr float kKeep = 0.8f;  ///< of what its edges should have crossed, from a frame that counts to the next
   static constexpr int kLeastCells = 20;  ///< with edges, to tell whether they move
 
+  /// Which pixels of a cell count: all, or those whose edges have stayed.
+  enum class Pixels { All, Staying };
+
   /// Looks at the next frame. @param background zero where objects are, of full size. @return whether it counts.
-  bool add(const FrameData& frame, const Image<std::uint8_t>& background) {
+  bool add(const FrameData& frame, const Image<std::uint8_t>& background, const kernel::Kernels& kernels) {
     choose_level(frame.pyramid);
     const Image<std::uint8_t>& image = frame.pyramid.levels[level_];
     const double seconds = frame.timestamp - timestamp_;
     if (columns_ < 1 || rows_ < 1 || frame.is_repeated() || (frames_ > 0 && seconds < kShortest)) return false;
     mark_objects(background);
-    if (frames_ > 0 && !has_changed(image)) return false;
+    if (frames_ > 0 && !has_changed(image, kernels)) return false;
     std::swap(newest_, before_);
     newest_ = image;
     if (frames_ == 0) clear_sums();
-    const double fade = frames_ > 0 ? 1 - std::exp(-std::min(seconds, kLongest) / kMemory) : 1;
+    const double fade = frames_ > 0 ? 1 - std::exp(-std::min(seconds, kLongest) / kMemory) : 0;
     frames_ = std::min(frames_ + 1, kEnoughFrames);
     timestamp_ = frame.timestamp;
-    sum(image, static_cast<int>(65536 * fade));
+    sum(image, fade, kernels);
     return true;
   }
 
@@ -78,15 +81,11 @@ class StandingEdges {
   /// The pixels of a cell whose edges have stayed, a bit each, by rows.
   std::uint16_t staying_pixels(int column, int row) const {
     static_assert(kCell * kCell <= 16);
-    const int edge = static_cast<int>(kEdge * kUnit * weight_);
     unsigned pixels = 0;
-    for (int v = 0; v < kCell; ++v)
-      for (int u = 0; u < kCell; ++u) {
-        const std::size_t i = at(1 + column * kCell + u, 1 + row * kCell + v, width_);
-        const auto sum = static_cast<float>(std::abs(x_[i]) + std::abs(y_[i]));
-        const bool stays = length_[i] > edge && sum > kPixelStays * static_cast<float>(length_[i]);
-        pixels |= static_cast<unsigned>(stays) << (v * kCell + u);
-      }
+    for (int v = 0; v < kCell; ++v) {
+      const std::uint8_t* stays = staying_.row(1 + row * kCell + v) + 1 + column * kCell;
+      for (int u = 0; u < kCell; ++u) pixels |= static_cast<unsigned>(stays[u]) << (v * kCell + u);
+    }
     return static_cast<std::uint16_t>(pixels);
   }
   /// Whether its edges are others than in the frame that counted before the newest.
@@ -104,14 +103,14 @@ class StandingEdges {
   }
 
   /// Pixels by which a shift by (du, dv), pixels of the level, moves a cell's edges across themselves; at most
-  /// kMostShift. @param pixels of the cell that count, a bit each, by rows.
-  float crossing(int column, int row, float du, float dv, std::uint16_t pixels = kAll) const {
+  /// kMostShift.
+  float crossing(int column, int row, float du, float dv, Pixels pixels = Pixels::All) const {
     const float length = std::sqrt(du * du + dv * dv);
     if (length > kMostShift) du *= kMostShift / length, dv *= kMostShift / length;
     float moved = 0, all = 0;
     for (int v = 1 + row * kCell; v <= (row + 1) * kCell; ++v)
       for (int u = 1 + column * kCell; u <= (column + 1) * kCell; ++u) {
-        if (!has(pixels, u - 1 - column * kCell, v - 1 - row * kCell)) continue;
+        if (pixels == Pixels::Staying && !staying_(u, v)) continue;
         const std::size_t i = at(u, v, width_);
         const auto x = static_cast<float>(x_[i]), y = static_cast<float>(y_[i]);
         moved += std::abs(x * du + y * dv);
@@ -120,58 +119,25 @@ class StandingEdges {
     return all > 0 ? moved / all : 0;
   }
 
-  /// How a cell has changed between two frames: the variance of the difference, with a shift and without one.
-  struct Change {
-    float shifted = 0;    ///< grey values squared
-    float unshifted = 0;  ///< grey values squared
-    /// Whether the shift explains most of it.
-    bool is_explained() const { return 2 * shifted < unshifted; }
-    /// Whether no shift explains it much better.
-    bool is_contradicted() const { return shifted > 2 * unshifted; }
-  };
   /// The change of a cell since the frame that counted before the newest, with a shift to it by (du, dv), pixels of the
-  /// level. Zero if the shift leads out of the image. @param pixels of the cell that count, a bit each, by rows.
-  Change change(int column, int row, float du, float dv, std::uint16_t pixels = kAll) const {
-    const int u0 = 1 + column * kCell, v0 = 1 + row * kCell;
-    const float x = static_cast<float>(u0) + du, y = static_cast<float>(v0) + dv;
+  /// level. Zero if the shift leads out of the image.
+  CellChange change(int column, int row, float du, float dv, Pixels pixels = Pixels::All) const {
+    const int u = 1 + column * kCell, v = 1 + row * kCell;
+    const float x = static_cast<float>(u) + du, y = static_cast<float>(v) + dv;
     constexpr auto kSize = static_cast<float>(kCell);
     if (!(x >= 0 && y >= 0 && x + kSize < static_cast<float>(width_) && y + kSize < static_cast<float>(height_)))
       return {};
-    const int left = static_cast<int>(x), top = static_cast<int>(y);
-    const float right = x - static_cast<float>(left), below = y - static_cast<float>(top);
-    Variance shifted, unshifted;
-    for (int v = 0; v < kCell; ++v)
-      for (int u = 0; u < kCell; ++u) {
-        if (!has(pixels, u, v)) continue;
-        const float now = newest_(u0 + u, v0 + v);
-        const std::uint8_t *a = before_.row(top + v) + left + u, *b = before_.row(top + v + 1) + left + u;
-        const float above = a[0] + right * static_cast<float>(a[1] - a[0]);
-        const float under = b[0] + right * static_cast<float>(b[1] - b[0]);
-        shifted.add(now - above - below * (under - above));
-        unshifted.add(now - before_(u0 + u, v0 + v));
-      }
-    return {shifted.value(), unshifted.value()};
+    return CellChange::between(newest_, before_, pixels == Pixels::All ? nullptr : &staying_, u, v, x, y);
   }
 
   /// Forgets all frames. Keeps the memory.
   void forget() noexcept { frames_ = 0; }
 
  private:
-  /// Of the pixels of a cell.
-  struct Variance {
-    float n = 0, sum = 0, squares = 0;
-    void add(float value) { n += 1, sum += value, squares += value * value; }
-    float value() const { return n > 0 ? (squares - sum * sum / n) / n : 0; }
-  };
-
-  static bool has(std::uint16_t pixels, int u, int v) { return ((pixels >> (v * kCell + u)) & 1) != 0; }
-
   static constexpr double kShortest = 0.06;  ///< seconds between frames that count
   static constexpr double kLongest = 0.2;    ///< seconds by which a frame fades the sums at most: a pause is no motion
   static constexpr int kEdge = 4;            ///< grey values over two pixels, |gx| + |gy|
-  static constexpr int kUnit = 2;  ///< of the sums, over grey values: they fit 16 bits, even those of a cell's column
   static constexpr float kStays = 0.95f, kMoves = 0.75f;  ///< |sum g| over sum |g|
-  static constexpr float kPixelStays = 0.9f;  ///< the same, of a pixel: an overlay may let shine through what is behind
   static constexpr float kStaysInPart = 0.5f;  ///< the same, of a cell with other edges beside those that stay
   static constexpr float kMostShift = 1.5f;    ///< pixels of the level: longer shifts tell no more
   static constexpr float kOther = 0.4f;        ///< |g - g'| over |g| + |g'|, from which an edge is another one
@@ -191,7 +157,9 @@ class StandingEdges {
     forget();
     for (auto* a : {&x_, &y_, &length_}) a->assign(at(0, height, width), 0);
     for (auto* a : {&stay_, &all_}) a->assign(at(0, rows, columns), 0.f);
-    for (auto* a : {&row_, &row_all_}) a->assign(static_cast<std::size_t>(width), 0);
+    for (auto* a : {&parts_, &alls_}) a->assign(static_cast<std::size_t>(width), 0);
+    staying_.resize(width, height);
+    staying_.fill(0);
     for (auto* a : {&objects_, &other_}) a->assign(at(0, rows, columns), 0);
     // Set after the calls that may throw, so that the size is always correct.
     level_ = level, width_ = width, height_ = height, columns_ = columns, rows_ = rows;
@@ -208,37 +176,35 @@ class StandingEdges {
         objects_[index(column, row)] = in_middle(background, column, row) == 0;
   }
 
-  /// Calls visit(cell, part, all) with the sums over each cell of what add_row(v, parts, alls) has added to the columns
-  /// of its rows v.
+  /// Calls visit(cell, part, all) with the sums over each cell of what add_row(v, columns) has added to its rows v,
+  /// from the second pixel on.
   template <typename AddRow, typename Visit>
   void for_each_cell(int row_step, AddRow&& add_row, Visit&& visit) {
     for (int row = 0; row < rows_; ++row) {
-      std::fill(row_.begin(), row_.end(), std::uint16_t{0});
-      std::fill(row_all_.begin(), row_all_.end(), std::uint16_t{0});
-      for (int v = 1 + row * kCell; v <= (row + 1) * kCell; v += row_step) add_row(v, row_.data(), row_all_.data());
+      std::fill(parts_.begin(), parts_.end(), std::uint16_t{0});
+      std::fill(alls_.begin(), alls_.end(), std::uint16_t{0});
+      for (int v = 1 + row * kCell; v <= (row + 1) * kCell; v += row_step) add_row(v, {parts_.data(), alls_.data()});
       for (int column = 0; column < columns_; ++column) {
         int part = 0, all = 0;
-        for (std::size_t i = 1 + at(kCell, column, kCell) - kCell, end = i + kCell; i < end; ++i)
-          part += row_[i], all += row_all_[i];
+        for (std::size_t i = static_cast<std::size_t>(column) * kCell, end = i + kCell; i < end; ++i)
+          part += parts_[i], all += alls_[i];
         visit(index(column, row), part, all);
       }
     }
   }
 
+  static kernel::ThreeRows rows_about(const Image<std::uint8_t>& image, int v) {
+    return {image.row(v - 1) + 1, image.row(v) + 1, image.row(v + 1) + 1};
+  }
+
   /// Whether many edges of the background are others than in the last frame that counted.
-  bool has_changed(const Image<std::uint8_t>& image) {
+  bool has_changed(const Image<std::uint8_t>& image, const kernel::Kernels& kernels) {
     constexpr int kStep = 2;  // rows
     int edges = 0, changed = 0;
     for_each_cell(
         kStep,
-        [&](int v, std::uint16_t* __restrict other, std::uint16_t* __restrict all) {
-          const std::uint8_t *a0 = image.row(v - 1), *a1 = image.row(v), *a2 = image.row(v + 1);
-          const std::uint8_t *b0 = newest_.row(v - 1), *b1 = newest_.row(v), *b2 = newest_.row(v + 1);
-          for (int u = 1; u < width_ - 1; ++u) {
-            const int ax = a1[u + 1] - a1[u - 1], ay = a2[u] - a0[u], bx = b1[u + 1] - b1[u - 1], by = b2[u] - b0[u];
-            other[u] = static_cast<std::uint16_t>(other[u] + std::abs(ax - bx) + std::abs(ay - by));
-            all[u] = static_cast<std::uint16_t>(all[u] + std::abs(ax) + std::abs(ay) + std::abs(bx) + std::abs(by));
-          }
+        [&](int v, const kernel::EdgeColumns& columns) {
+          kernels.compare_edges(rows_about(image, v), rows_about(newest_, v), width_ - 2, columns);
         },
         [&](std::size_t cell, int other, int all) {
           const int is_edge = all > 2 * kEdge * kCell * kCell / kStep && !objects_[cell];
@@ -249,36 +215,22 @@ class StandingEdges {
     return edges >= kLeastCells && changed > kChanged * edges;
   }
 
-  /// Adds a frame to the sums. @param fade share of the sums that is dropped, times 2^16.
-  void sum(const Image<std::uint8_t>& image, int fade) {
-    weight_ = frames_ > 1 ? weight_ - weight_ * static_cast<float>(fade) / 65536 + 1 : 1;
-    const int edge = static_cast<int>(kEdge * kUnit * weight_);
+  /// Adds a frame to the sums. @param fade share of the sums that is dropped.
+  void sum(const Image<std::uint8_t>& image, double fade, const kernel::Kernels& kernels) {
+    weight_ = frames_ > 1 ? weight_ - weight_ * static_cast<float>(fade) + 1 : 1;
+    kernel::EdgeSums sums;
+    sums.fade = static_cast<short>(65536 * fade);
+    sums.edge = static_cast<short>(kEdge * kernel::kEdgeUnit * weight_);
     for_each_cell(
         1,
-        [&](int v, std::uint16_t* stay, std::uint16_t* all) {
-          sum_row(image.row(v - 1), image.row(v), image.row(v + 1), fade, edge, x_.data() + at(0, v, width_),
-                  y_.data() + at(0, v, width_), length_.data() + at(0, v, width_), stay, all);
+        [&](int v, const kernel::EdgeColumns& columns) {
+          const std::size_t first = at(1, v, width_);
+          sums.x = x_.data() + first, sums.y = y_.data() + first, sums.length = length_.data() + first;
+          kernels.sum_edges(rows_about(image, v), width_ - 2, sums, columns, staying_.row(v) + 1);
         },
         [&](std::size_t cell, int stay, int all) {
           stay_[cell] = static_cast<float>(stay), all_[cell] = static_cast<float>(all);
         });
-  }
-
-  void sum_row(const std::uint8_t* above, const std::uint8_t* here, const std::uint8_t* below, int fade, int edge,
-               std::int16_t* __restrict x, std::int16_t* __restrict y, std::int16_t* __restrict length,
-               std::uint16_t* __restrict stay, std::uint16_t* __restrict all) const {
-    const int width = width_;
-    for (int u = 1; u < width - 1; ++u) {
-      const int gx = kUnit * (here[u + 1] - here[u - 1]), gy = kUnit * (below[u] - above[u]);
-      const auto sx = static_cast<std::int16_t>(x[u] - ((x[u] * fade) >> 16) + gx);
-      const auto sy = static_cast<std::int16_t>(y[u] - ((y[u] * fade) >> 16) + gy);
-      const int size = std::abs(gx) + std::abs(gy);
-      const auto lengths = static_cast<std::int16_t>(length[u] - ((length[u] * fade) >> 16) + size);
-      x[u] = sx, y[u] = sy, length[u] = lengths;
-      const int is_edge = lengths > edge ? 0xffff : 0;
-      stay[u] = static_cast<std::uint16_t>(stay[u] + ((std::abs(sx) + std::abs(sy)) & is_edge));
-      all[u] = static_cast<std::uint16_t>(all[u] + (lengths & is_edge));
-    }
   }
 
   std::size_t level_ = 0;
@@ -287,9 +239,10 @@ class StandingEdges {
   double timestamp_ = 0;                       ///< of the last one that counted, seconds
   float weight_ = 0;                           ///< of all frames in the sums
   Image<std::uint8_t> newest_, before_;        ///< the last two frames that counted
-  std::vector<std::int16_t> x_, y_, length_;   ///< of each pixel: sums of gx, gy and |g|, in 1 / kUnit grey values
+  std::vector<std::int16_t> x_, y_, length_;   ///< of each pixel: the sums of kernel::EdgeSums
+  Image<std::uint8_t> staying_;                ///< 1: an edge that has stayed
   std::vector<float> stay_, all_;              ///< of each cell: |sum g| and sum |g| of its edges
-  std::vector<std::uint16_t> row_, row_all_;   ///< of each column: scratch
+  std::vector<std::uint16_t> parts_, alls_;    ///< of each column: scratch
   std::vector<std::uint8_t> objects_, other_;  ///< of each cell
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dot/kernel/edges.hpp"
 #include "dot/kernel/gradients.hpp"
 #include "dot/kernel/images.hpp"
 #include "dot/kernel/photometric.hpp"
@@ -42,6 +43,13 @@ struct Kernels {
   void (*blur)(const unsigned char* const* rows, int n, const BlurWeights& weights, unsigned char* out);
   /// The mean of 2x2 pixels, halves rounded up; n pixels of 2 n in each row.
   void (*halve)(const unsigned char* upper, const unsigned char* lower, int n, unsigned char* out);
+  /// Adds the change of the gradient, |gx - gx'| + |gy - gy'|, and |gx| + |gy| + |gx'| + |gy'| to n columns.
+  void (*compare_edges)(const ThreeRows& now, const ThreeRows& before, int n, const EdgeColumns& columns);
+  /// Adds the gradients of n pixels to their sums. Then adds |sum g| and sum |g| of those that are edges to the
+  /// columns.
+  /// @param stays 1 for an edge of which |sum g| is more than nine tenths of sum |g|, else 0.
+  void (*sum_edges)(const ThreeRows& rows, int n, const EdgeSums& sums, const EdgeColumns& columns,
+                    unsigned char* stays);
 };
 
 }  // namespace dot::kernel

@@ -175,9 +175,10 @@ void CameraTracker<Camera, Noise, Aligner>::learn_depth(const FrameData& cur, co
 template <typename Camera, typename Noise, typename Aligner>
 void CameraTracker<Camera, Noise, Aligner>::find_fixed_parts(const FrameData& cur, const CameraStep& step,
                                                              const PaintedImage<std::uint8_t>& labels,
-                                                             const Image<std::uint32_t>& ids, const Camera& camera) {
+                                                             const Image<std::uint32_t>& ids, const Camera& camera,
+                                                             const kernel::Kernels& kernels) {
   mask_.set(labels);
-  held_ = fixed_parts_.look(cur, mask_.pixels, ids, step, camera);
+  held_ = fixed_parts_.look(cur, mask_.pixels, ids, step, camera, kernels);
   fixed_parts_.exclude(mask_.pixels);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dot/kernel/impl/edge_rows.hpp"
 #include "dot/kernel/impl/image_rows.hpp"
 #include "dot/kernel/impl/image_samples.hpp"
 #include "dot/kernel/impl/photometric_costs.hpp"
@@ -47,7 +48,9 @@ constexpr Kernels kernels_of(const char* name) {
           take_bias<V>,
           halve_depth<V>,
           blur<V>,
-          halve<V>};
+          halve<V>,
+          compare_edges<V>,
+          sum_edges<V>};
 }
 
 }  // namespace dot::kernel

@@ -30,7 +30,7 @@ DOT_BEGIN_NAMESPACE
 /// image, none becomes suspect: then the camera stands, and what moves is an object.
 class FixedParts {
  public:
-  static constexpr double kLeastShare = 0.04;  ///< of the image; less does not hold the camera
+  static constexpr double kLeastShare = 0.04;  ///< of the cells with edges and depth; less does not hold the camera
 
   /// Looks at the next frame. @param background zero where objects are, of full size. @param ids of the objects, 0 =
   /// background. @param step led to the frame.
@@ -203,14 +203,15 @@ class FixedParts {
   /// Decides which cells are fixed. @return whether parts were found that have held the camera.
   bool decide() {
     suspect();
-    int count = 0, sure = 0;
+    int count = 0, sure = 0, all = 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       const Cell& cell = cells_[i];
       fixed_[i] = cell.q > 0 && cell.crossed > kCrossed ? kFixed : 0;
+      all += cell.q > 0;
       count += fixed_[i];
       sure += fixed_[i] && (cell.tried == 0 || cell.tried >= kTrial);
     }
-    const double least = kLeastShare * static_cast<double>(cells_.size());
+    const double least = std::max<double>(StandingEdges::kLeastCells, kLeastShare * all);
     const bool before = excludes_;
     excludes_ = count >= least;
     if (excludes_) spread();

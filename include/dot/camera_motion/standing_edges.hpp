@@ -33,8 +33,11 @@ class StandingEdges {
   static constexpr float kKeep = 0.8f;  ///< of what its edges should have crossed, from a frame that counts to the next
   static constexpr int kLeastCells = 20;  ///< with edges, to tell whether they move
 
-  /// Which pixels of a cell count: all, or those whose edges have stayed.
-  enum class Pixels { All, Staying };
+  /// Which pixels of a cell count.
+  enum class Pixels {
+    All,     ///< each pixel
+    Staying  ///< those whose edges have stayed
+  };
 
   /// Looks at the next frame. @param background zero where objects are, of full size. @return whether it counts.
   bool add(const FrameData& frame, const Image<std::uint8_t>& background, const kernel::Kernels& kernels) {

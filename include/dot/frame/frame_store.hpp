@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "dot/frame/black_border.hpp"
 #include "dot/frame/depth_densifier.hpp"
 #include "dot/frame/flicker_removal.hpp"
 #include "dot/frame/frame.hpp"
@@ -54,6 +55,9 @@ class FrameStore {
         build_depth(UnbiasedDepthRows(measured, settings.max_depth, bias, depth_rows_, kernels), noise, width, height,
                     levels, kernels, frame.depth);
     });
+    if (border_.fill(frame.pyramid.levels[0], frame.depth.levels[0], previous != nullptr))
+      build_levels(
+          width, height, levels, [](int, std::uint8_t*) {}, kernels.halve, frame.pyramid.levels);
     const bool repeated = repeated_.look(frame.pyramid, previous ? &previous->pyramid : nullptr);
     frame.repeats = repeated ? previous->repeats + 1 : 0;
     if (frame.repeats > FrameData::kLongestRun) repeated_.forget();
@@ -128,6 +132,7 @@ class FrameStore {
   Image<std::uint8_t> grey_rows_;
   RepeatedImage repeated_;
   FlickerRemoval flicker_;
+  BlackBorder border_;
   Image<float> depth_rows_;
   std::vector<float> row_;
   Image<float> sparse_, dense_;

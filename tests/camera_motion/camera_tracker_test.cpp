@@ -17,6 +17,7 @@ namespace {
 using namespace dot::test;
 using dot::CameraStatus;
 using dot::CameraStep;
+using dot::Image;
 using dot::SE3d;
 using dot::Vector3;
 
@@ -143,6 +144,92 @@ TEST(CameraTracker, WhatFollowsAGuessIsAsUnsureAsThatGuess) {
   EXPECT_TRUE(drive.tracker.is_sure()) << "from here on there are new points";
   step = drive.next();
   EXPECT_LT(step.covariance.trace(), 10 * good.covariance.trace());
+}
+
+// At 18 m/s a camera that is taken to stand after a repeated image is out of the reach of its alignment. After it the
+// motion is that since the last new image if the scene went on meanwhile, or that of one interval if an image was
+// inserted.
+TEST(CameraTracker, GoesOnAtItsVelocityAfterARepeatedImage) {
+  for (const bool inserted : {false, true}) {
+    Drive drive;
+    int shown = 0;
+    const auto path = straight({0, 0, 0}, {10, 0, 15});
+    drive.film.camera_path = [&](double t) { return inserted ? path(0.1 * shown) : path(t); };
+    Image<std::uint8_t> image;
+    Image<float> depth;
+    SE3d T_world_last;
+    for (int i = 0; i < 7; ++i) {
+      const bool repeats = i % 4 == 3;
+      if (!repeats) ++shown;
+      drive.film.spoil = [&](int, Rendering& seen) {
+        if (repeats) seen.grey = image, seen.depth = depth;
+        image = seen.grey, depth = seen.depth;
+      };
+      const CameraStep step = drive.next();
+      if (repeats) continue;
+      const SE3d T_world_cur = drive.film.T_world_camera();
+      if (i > 0) {
+        ASSERT_EQ(step.status, CameraStatus::Tracked) << i;
+        const SE3d T_c = T_world_cur.inverse() * T_world_last;
+        EXPECT_LT((step.T_cur_prev * T_c.inverse()).log().norm(), 0.02) << i << ", inserted: " << inserted;
+      }
+      T_world_last = T_world_cur;
+    }
+  }
+}
+
+/// A drive whose frame `index` has the image and depth of the one before.
+Drive repeating(int index) {
+  Drive drive;
+  drive.film.spoil = [=, grey = Image<std::uint8_t>(), depth = Image<float>()](int i, Rendering& seen) mutable {
+    if (i == index) seen.grey = grey, seen.depth = depth;
+    grey = seen.grey, depth = seen.depth;
+  };
+  return drive;
+}
+
+// The host's motion is that of its interval, also after a repeated image.
+TEST(CameraTracker, TakesTheHostsVelocityAfterARepeatedImage) {
+  Drive drive = repeating(1);
+  drive.next();
+  EXPECT_EQ(drive.next().status, CameraStatus::Tracked);
+  dot::CameraMotion motion;
+  motion.T_cur_prev = SE3d::translation({-1, 0, -1.5}).row_major();
+  drive.next({motion, std::nullopt});
+  drive.estimator.settings.min_phi = drive.estimator.settings.min_phi_unexpected = 2;  // nothing is good enough
+  const CameraStep step = drive.next();
+  EXPECT_EQ(step.status, CameraStatus::Lost);
+  EXPECT_LT((step.T_cur_prev.t - Vector3<double>(-1, 0, -1.5)).norm(), 1e-4);
+}
+
+// Nothing is known of the camera's motion since the last new image.
+TEST(CameraTracker, AGuessAfterARepeatedImageIsAsUnsureAsBothIntervals) {
+  Drive drive = repeating(2);
+  for (int i = 0; i < 3; ++i) drive.next();
+  drive.estimator.settings.min_phi = drive.estimator.settings.min_phi_unexpected = 2;
+  const CameraStep step = drive.next();
+  EXPECT_EQ(step.status, CameraStatus::Lost);
+  const double metres = drive.estimator.settings.search_speed * 2 * step.seconds;
+  EXPECT_NEAR(step.covariance(0, 0), metres * metres / 3, 1e-4 * metres * metres);
+}
+
+// The edge of a picture in a black border has depth and stays. At 20 m/s it is what fits best.
+TEST(CameraTracker, IsNotHeldByABlackBorder) {
+  Drive drive;
+  drive.film.camera_path = straight({0, 0, 0}, {0, 0, 20});
+  drive.film.spoil = [](int, Rendering& seen) {
+    constexpr int kBars = 60;  // rows
+    for (int y = 0; y < seen.grey.height(); ++y) {
+      if (y >= kBars && y < seen.grey.height() - kBars) continue;
+      for (int x = 0; x < seen.grey.width(); ++x) seen.grey(x, y) = 2, seen.depth(x, y) = 0;
+    }
+  };
+  drive.next();
+  for (int i = 0; i < 5; ++i) {
+    const CameraStep step = drive.next();
+    ASSERT_EQ(step.status, CameraStatus::Tracked) << i;
+    EXPECT_LT(drive.error(step), 0.02) << i;
+  }
 }
 
 TEST(CameraTracker, HasNoPointsWhereObjectsAre) {

@@ -26,7 +26,7 @@ class StageFilm {
   void advance() {
     const Frame& frame = film.advance();
     prev = cur;
-    cur = store_.add(frame, {}, DepthNoise({}, small_camera()), {4, 400}, portable_kernels(), Threads{});
+    cur = store_.add(frame, {}, DepthNoise({}, small_camera()), {4, 400}, portable_kernels(), Threads{}, prev.get());
     camera_step = {};
     if (prev) {
       camera_step.status = CameraStatus::FromHost;

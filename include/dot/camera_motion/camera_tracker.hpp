@@ -92,6 +92,7 @@ class CameraTracker {
     fixed_parts_.forget();
     held_ = refuted_ = false;
     velocity_known_ = false;
+    unseen_seconds_ = 0;
     steady_ = 0;
     turning_rows_ = 0;
     velocity_.setZero();
@@ -105,6 +106,7 @@ class CameraTracker {
 
   /// T_cur_prev of each start, the most trusted first: from the host, and at constant velocity.
   void predict(const HostMotion& host, double seconds);
+  void take_velocity(const CameraStep& step, const SE3d& predicted, double reach);
   void take_host_motion(const CameraMotion& motion, const FrameData& cur, const Camera& camera,
                         const CameraSettings& settings, Aligner& aligner, CameraStep& step) const;
   /// @return whether the motion was searched, because the velocity was not known or did not lead to it.
@@ -116,6 +118,7 @@ class CameraTracker {
   Background background_;
   Vector6<double> velocity_ = Vector6<double>::Zero();  ///< twist per second
   bool velocity_known_ = false;                         ///< whether it is of the last interval
+  double unseen_seconds_ = 0;                           ///< of the repeated images before the newest frame
   int steady_ = 0;                                      ///< intervals in a row that kept the velocity
   double turning_rows_ = 0;                             ///< share of the last frames whose rows turn (RollingShutter)
   UsualCorrelation correlation_;
@@ -129,7 +132,7 @@ class CameraTracker {
 
   PointSet fresh_;
   BackgroundMask mask_;
-  std::vector<SE3d> starts_;
+  std::vector<SE3d> starts_ = std::vector<SE3d>(3);
 };
 
 DOT_END_NAMESPACE

@@ -23,6 +23,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   background_.points.subtract_bias(cur.bias, camera.width(), camera.height());
   if (seconds <= 0) {
     velocity_known_ = false;
+    unseen_seconds_ = 0;
     first_intervals_.clear();
     if (prev) step.covariance = covariance_of_guess(estimator.settings, cur.timestamp - prev->timestamp);
     return step;
@@ -40,7 +41,9 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   else
     searched = estimate(prev, cur, host.prior.has_value(), objects, camera, estimator, aligner, workspace, step);
 
-  if (step.status != CameraStatus::Tracked || background_.guessed) {
+  const bool repeated = step.status == CameraStatus::Tracked && cur.is_repeated();
+  const double unknown_seconds = seconds + unseen_seconds_;
+  if (step.status != CameraStatus::Tracked || background_.guessed || repeated) {
     first_intervals_.clear();
   } else {
     first_intervals_.revise(background_, cur, step, camera, estimator, aligner, workspace, revised_);
@@ -51,18 +54,16 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   step.rolling.is_usual = rows_turn && turning_rows_ > 0.5 && background_.seconds == 0;
   refuted_ = !revised_.empty() || (held_ && !host.motion);
   held_ = false;
-  const bool kept = change_of_place(step.T_cur_prev, at_constant_velocity) < kKept * estimator.reach(seconds);
-  steady_ = velocity_known_ && step.known() && kept ? steady_ + 1 : 0;
-  velocity_known_ = step.known();
+  if (repeated)
+    unseen_seconds_ += seconds;
+  else
+    take_velocity(step, at_constant_velocity, estimator.reach(seconds));
   if (!step.known()) {
-    step.covariance = covariance_of_guess(estimator.settings, seconds);
+    step.covariance = covariance_of_guess(estimator.settings, unknown_seconds);
   } else if (step.status == CameraStatus::Tracked && background_.guessed) {
     // The previous frame's pose was a guess. Only the motion since the frame of the points is known well.
     const Matrix6<double> Ad = step.T_cur_prev.adjoint();
     step.covariance += Ad * background_.guess_covariance * Ad.transpose();
-    velocity_ = step.alignment.state.T.log() / (background_.seconds + seconds);
-  } else {
-    velocity_ = step.T_cur_prev.log() / seconds;
   }
   return step;
 }
@@ -71,7 +72,28 @@ template <typename Camera, typename Noise, typename Aligner>
 void CameraTracker<Camera, Noise, Aligner>::predict(const HostMotion& host, double seconds) {
   starts_.clear();
   if (host.prior) starts_.push_back(SE3d::from_row_major(*host.prior).normalized());
+  if (velocity_known_ && unseen_seconds_ > 0) starts_.push_back(SE3d::exp(velocity_ * (unseen_seconds_ + seconds)));
   starts_.push_back(SE3d::exp(velocity_ * seconds));
+}
+
+/// Takes the velocity of an interval. After repeated images a motion between images is that since the last new one. But
+/// if they were inserted for another frame rate, it is the interval's own: then this changes the velocity less.
+/// @param predicted T_cur_prev at constant velocity. @param reach metres by which an interval may differ from that.
+template <typename Camera, typename Noise, typename Aligner>
+void CameraTracker<Camera, Noise, Aligner>::take_velocity(const CameraStep& step, const SE3d& predicted, double reach) {
+  const bool kept = unseen_seconds_ == 0 && change_of_place(step.T_cur_prev, predicted) < kKept * reach;
+  steady_ = velocity_known_ && step.known() && kept ? steady_ + 1 : 0;
+  if (step.known()) {
+    const bool guessed = step.status == CameraStatus::Tracked && background_.guessed;
+    const Vector6<double> own = guessed ? step.alignment.state.T.log() / (background_.seconds + step.seconds)
+                                        : step.T_cur_prev.log() / step.seconds;
+    const Vector6<double> since_new = own * step.seconds / (unseen_seconds_ + step.seconds);
+    const bool is_own = guessed || step.status == CameraStatus::FromHost ||
+                        (velocity_known_ && (own - velocity_).norm() < (since_new - velocity_).norm());
+    velocity_ = is_own ? own : since_new;
+  }
+  velocity_known_ = step.known();
+  unseen_seconds_ = 0;
 }
 
 template <typename Camera, typename Noise, typename Aligner>
@@ -104,7 +126,7 @@ bool CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
   const auto align = [&](const CameraSearch* search) {
     MotionEvidence evidence{objects, T_prev_points.inverse()};
     evidence.turns = &turns;
-    if (velocity_known_) {
+    if (velocity_known_ && unseen_seconds_ == 0) {
       evidence.reach = estimator.reach(step.seconds);
       if (!expected) evidence.steadiness = std::min(1.0, steady_ / kSteady);  // a host may know of a change
     }
@@ -130,7 +152,7 @@ bool CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
     ok = ok && estimator.accepts(step.alignment, false);
   step.status = ok ? CameraStatus::Tracked : CameraStatus::Lost;
   if (!ok) return true;
-  correlation_.add(step.alignment.phi);
+  if (!cur.is_repeated()) correlation_.add(step.alignment.phi);
   estimator.take(AlignProblem<Camera>{background_.points, cur.pyramid, camera}, T_prev_points, aligner, step);
   return searched;
 }

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "dot/camera/depth_noise.hpp"
+#include "support/random.hpp"
 #include "support/synthetic_scene.hpp"
 
 namespace {
@@ -275,15 +276,49 @@ struct Where {
   }
 };
 
-// Near the camera an object's own relief moves its parts by much more than a pixel against each other.
-TEST(SelectObject, WithDepthInLessThanAQuarterTakesNothingOfWhatIsNear) {
-  const Selected full(street(2), {});
-  EXPECT_TRUE(full.summary.shape_known);
-  EXPECT_GT(full.points.size(), 200);
-  const Selected s(street(2), {}, 0.1, 600, measured_on_the_left(0.22));
+/// Takes the depth of the car's pixels away, but for this share of them.
+std::function<void(Rendering&)> measured_here_and_there(double share) {
+  return [=](Rendering& seen) {
+    Random random(5);
+    for (int y = 0; y < seen.ids.height(); ++y)
+      for (int x = 0; x < seen.ids.width(); ++x)
+        if (seen.ids(x, y) == car && random.uniform() > share) seen.depth(x, y) = 0;
+  };
+}
+
+// Near the camera an object's own relief moves its parts by much more than a pixel against each other. One level for
+// all of it will not do, but a window of a large object still has enough depths for a plane.
+TEST(SelectObject, WithDepthInLessThanAQuarterTakesPlanesOfWhatIsNear) {
+  const Selected full(street(1.5), {});
+  for (const auto& spoil : {measured_on_the_left(0.22), measured_here_and_there(0.2)}) {
+    const Selected s(street(1.5), {}, 0.1, 600, spoil);
+    EXPECT_TRUE(s.summary.shape_known);
+    EXPECT_GT(s.points.size(), 100);
+    EXPECT_EQ(Where(s, spoil).elsewhere, 0);
+    for (std::size_t i = 0; i < s.points.u.size(); ++i)
+      EXPECT_LT(std::abs(s.points.q[i] - 1 / s.truth.depth(s.x(i), s.y(i))), 4 * s.points.sigma_q[i]);
+  }
+}
+
+TEST(SelectObject, WithTooFewDepthsForPlanesTakesNothingOfWhatIsNear) {
+  const Selected s(street(1.5), {}, 0.1, 600, measured_here_and_there(0.08));
   EXPECT_FALSE(s.summary.shape_known);
   EXPECT_EQ(s.points.size(), 0);
-  EXPECT_TRUE(Selected(street(5), {}, 0.1, 600, measured_on_the_left(0.22)).summary.shape_known);
+  EXPECT_TRUE(Selected(street(5), {}, 0.1, 600, measured_here_and_there(0.08)).summary.shape_known);
+}
+
+// Stereo near its least distance: few depths, and half of them wrong.
+TEST(SelectObject, WithFewDepthsOfMoreThanOneThingTakesNothingOfWhatIsNear) {
+  const auto spoil = [](Rendering& seen) {
+    measured_here_and_there(0.2)(seen);
+    Random random(6);
+    for (int y = 0; y < seen.ids.height(); ++y)
+      for (int x = 0; x < seen.ids.width(); ++x)
+        if (seen.ids(x, y) == car && random.uniform() < 0.5) seen.depth(x, y) *= 4;
+  };
+  const Selected s(street(1.5), {}, 0.1, 600, spoil);
+  EXPECT_FALSE(s.summary.shape_known);
+  EXPECT_EQ(s.points.size(), 0);
 }
 
 // The images say how it moves; where it is, a few depths say as well as many, and a plane through them says no more.

@@ -32,6 +32,7 @@ struct SelectionRegion {
   int budget = 0;                      ///< approximate number of points
   int radius = 5;                      ///< pixels: half size of the window whose plane gives a point its depth
   double min_gradient = 0;             ///< grey values per pixel
+  double least_share = 0.25;           ///< of the window's pixels, whose depth must be on the plane
   const PlaneFit* shared = nullptr;    ///< one plane for all points instead (distant object), also where depth is not
   ///< measured; about the pixel (width / 2, height / 2) of the box
 };
@@ -158,8 +159,8 @@ struct Selector {
     std::vector<PlaneFit>& planes = workspace.planes;
     planes.resize(seeds.size());
     if (!region.shared) {
-      const int side = 2 * region.radius + 1;
-      kernels.fit_planes(kernel_view(region.surface), plane_window(region.radius, side * side / 4), seeds.data(),
+      const int side = 2 * region.radius + 1, least = static_cast<int>(region.least_share * side * side);
+      kernels.fit_planes(kernel_view(region.surface), plane_window(region.radius, least), seeds.data(),
                          static_cast<int>(seeds.size()), planes.data());
     }
     for (std::size_t i = 0; i < seeds.size(); ++i) {

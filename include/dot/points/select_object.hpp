@@ -24,8 +24,11 @@ struct ObjectPoints {
 
 namespace selecting {
 
-constexpr int kLargeArea = 2500;       ///< pixels
-constexpr double kLevelRelief = 0.15;  ///< largest half size of an object, share of its distance, for constant depth
+constexpr int kLargeArea = 2500;         ///< pixels
+constexpr double kShareOfDensity = 0.5;  ///< of an object's depths, those of a window that must be on a plane
+constexpr double kDeepest = 2;           ///< depth of an object along the line of sight, over its size across it
+constexpr int kLeastDepths = 12;         ///< the same, at least: neighbouring depths are not independent
+constexpr double kLevelRelief = 0.15;    ///< largest half size of an object, share of its distance, for constant depth
 // Inverse depth of a surface over that of one beside it that it hides. Objects have relief, so less is enough outside.
 constexpr float kNearerOutside = 1.15f, kNearerInside = 1.28f;
 
@@ -140,7 +143,8 @@ inline double level_by_noise(ImageView<const float> surface, int step, float med
 /// mask count, widened by the possible extent of an object of this range and relief. If an object is so far that its
 /// relief is below the depth noise, or if less than a quarter of its pixels have depth, its points share one plane,
 /// which is then also used where depth is not measured. An object with few depths that is so near that its relief is a
-/// large part of its distance gets no points.
+/// large part of its distance gets planes from fewer depths if it is large, else no points. It gets none either if the
+/// depths are those of more than one thing, as wrong ones of stereo are.
 /// @param box of the mask in the frame; @param mask of the box's size, non-zero = object; @param area its pixels.
 template <typename Camera, typename Noise>
 ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box, ImageView<const std::uint8_t> mask,
@@ -182,11 +186,20 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
         &plane);
     flat = plane.inliers > 0;
   }
-  if (4 * out.pixels_with_depth < area) {  // too few depths for a plane of each point: only its distance is known
-    if (relief > selecting::kLevelRelief * static_cast<double>(out.median_q)) return out;
-    flat = true;
-    plane.variance = static_cast<float>(relief * relief);
-    plane.inliers = 1;
+  SelectionRegion region;
+  region.radius = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(area)) / 8), 3, 6);
+  if (const double density = static_cast<double>(out.pixels_with_depth) / area; density < region.least_share) {
+    if (relief <= selecting::kLevelRelief * static_cast<double>(out.median_q)) {  // its distance is enough
+      flat = true;
+      plane.variance = static_cast<float>(relief * relief);
+      plane.inliers = 1;
+    } else {
+      // The window of a large object still has enough for a plane, if they are depths of that object.
+      const int side = 2 * region.radius + 1;
+      const double deep = static_cast<double>(1 / far - 1 / near);  // metres
+      region.least_share = selecting::kShareOfDensity * density;
+      if (deep > selecting::kDeepest * size || region.least_share * side * side < selecting::kLeastDepths) return out;
+    }
   }
   out.shape_known = true;
   if (flat) {
@@ -195,12 +208,10 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
   selecting::admit(frame, box, mask, area, flat ? out.median_q : 0, slack, work);
   if (select.overlaid) select.overlaid->cut(box.x, box.y, work.mask.view());
 
-  SelectionRegion region;
   region.box = box;
   region.mask = work.mask.view();
   region.surface = work.surface.view();
   region.budget = select.settings.object_points;
-  region.radius = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(area)) / 8), 3, 6);
   region.shared = flat ? &plane : nullptr;
   // Strong gradients carry the information. Weak ones are used only if there are too few strong ones.
   for (const double share : {1.0, 0.5}) {

@@ -26,12 +26,16 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
                 rows in .6 of the time between frames
   bonnet        a bonnet with texture, 1.2 m before the camera: the lowest fifth of the image, at its sides a tenth
   caption       two lines of writing in the image
+  letterbox     black bars above and below, to a square
+  tilt          the camera turned by 45 degrees about its optical axis, with black corners
+  stutter       every fourth frame with the image and depth of the one before, as drivers repeat them
   overlay       a cross hair with a ring in the middle of the image, a clock and other figures in its corners
   near          no depth beyond 20 m
   bias          disparities wrong by up to a pixel at the borders, as from a stereo pair calibrated badly
   lidar64, lidar32, lidar16
                 depth of a lidar of so many beams, 0.3 m above and 0.3 m behind the camera, with noise of 2 cm
   holes50       half of the depth missing, in patches
+  thin50        half of the depth missing, here and there
   edges         depth at strong gradients of the image alone
   wide          masks that reach 6 pixels beyond their objects, nearer ones over farther ones
 """
@@ -140,14 +144,19 @@ def jolt(frame):
     return cv2.Rodrigues(turn)[0]
 
 
-def turned(image, folder, R, intrinsics):
-    """The image of a camera turned by R. What it sees beyond the old image's border is mirrored at it."""
+def tilt():
+    """Rotation about the optical axis."""
+    return cv2.Rodrigues(np.radians([0, 0, 45.0]))[0]
+
+
+def turned(image, folder, R, intrinsics, border=cv2.BORDER_REFLECT):
+    """The image of a camera turned by R. What it sees beyond the old image's border is mirrored at it, or black."""
     fx, fy, cx, cy = intrinsics[:4]
     K = np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]])
     H = K @ R @ np.linalg.inv(K)
     size = image.shape[1], image.shape[0]
     if folder == "rgb":
-        return cv2.warpPerspective(image, H, size, flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_REFLECT)
+        return cv2.warpPerspective(image, H, size, flags=cv2.INTER_LINEAR, borderMode=border)
     values = image.astype(np.float32)
     if folder.startswith("depth"):
         v, u = np.indices(image.shape)
@@ -188,6 +197,8 @@ def thinned(depth, kind, frame, sequence, intrinsics, random):
         return scanned(depth if true is None else true, intrinsics, kind, random)
     if kind == "holes50":
         return with_holes(depth, random)
+    if kind == "thin50":
+        return np.where(random.random(depth.shape) < 0.5, 0, depth).astype(depth.dtype)
     [image] = [path for path in glob.glob(f"{sequence}/rgb/{frame:06d}.*")]
     return at_edges(depth, cv2.imread(image))
 
@@ -205,6 +216,11 @@ def with_bonnet(image, folder):
     else:
         part = np.array(1.2 * 256 if folder.startswith("depth") else 0, image.dtype)
     return np.where(rows >= top, part, image)
+
+
+def letterboxed(image):
+    bar = (image.shape[1] - image.shape[0]) // 2
+    return cv2.copyMakeBorder(image, bar, bar, 0, 0, cv2.BORDER_CONSTANT, value=0)
 
 
 def with_caption(image):
@@ -248,6 +264,8 @@ def with_bands(image, frame):
 def changed(image, folder, kind, random, focal_baseline):
     if kind == "bonnet":
         return with_bonnet(image, folder)
+    if kind == "letterbox":
+        return letterboxed(image)
     if kind == "caption" and folder == "rgb":
         return with_caption(image)
     if kind in ("half", "third"):
@@ -278,6 +296,9 @@ def camera(line, kind):
         n = 2 if kind == "half" else 3
         fx, fy, cx, cy = fx / n, fy / n, (cx + 0.5) / n - 0.5, (cy + 0.5) / n - 0.5
         width, height = width // n, height // n
+    if kind == "letterbox":
+        bar = (width - height) // 2
+        cy, height = cy + bar, height + 2 * bar
     if kind == "mirror":
         cx = width - 1 - cx
     if kind == "crop":
@@ -328,7 +349,9 @@ def make(kind, out, sequence):
                 continue
             for target in targets:
                 image = cv2.imread(path, cv2.IMREAD_UNCHANGED)
-                if name == "depth" and kind in (*BEAMS, "holes50", "edges"):
+                if kind == "stutter" and name in ("rgb", "depth") and int(stem) % 4 == 3:
+                    image = cv2.imread(f"{sequence}/{name}/{int(stem) - 1:06d}{suffix}", cv2.IMREAD_UNCHANGED)
+                if name == "depth" and kind in (*BEAMS, "holes50", "thin50", "edges"):
                     image = thinned(image, kind, int(stem), sequence, intrinsics, random)
                 elif kind == "wide" and name == "masks":
                     image = widened(image, cv2.imread(f"{sequence}/depth/{stem}.png", cv2.IMREAD_UNCHANGED))
@@ -336,6 +359,8 @@ def make(kind, out, sequence):
                     image = (with_bands if kind == "bands" else with_overlay)(image, int(stem))
                 elif kind == "shake":
                     image = turned(image, name, jolt(int(stem)), intrinsics)
+                elif kind == "tilt":
+                    image = turned(image, name, tilt(), intrinsics, cv2.BORDER_CONSTANT)
                 elif kind == "rolling":
                     image = rolled(image, name, int(stem), intrinsics)
                 else:
@@ -361,6 +386,8 @@ def make(kind, out, sequence):
                 pose = mirrored(v[before:]) if kind == "mirror" else v[before:]
                 if kind == "shake" and not before:
                     pose = shaken(pose, jolt(frame))
+                if kind == "tilt" and not before:
+                    pose = shaken(pose, tilt())
                 if kind == "rolling" and not before:
                     pose = shaken(pose, hand(frame))
                 for n in number[frame]:
@@ -371,7 +398,7 @@ def make(kind, out, sequence):
 
 def main():
     kinds = "half third mirror crop slow twice reverse late skip1 skip2 skip3 bands flicker noise grain dark shake rolling"
-    kinds += " bonnet caption overlay near bias lidar64 lidar32 lidar16 holes50 edges wide"
+    kinds += " bonnet caption letterbox tilt stutter overlay near bias lidar64 lidar32 lidar16 holes50 thin50 edges wide"
     if len(sys.argv) < 4 or sys.argv[1] not in kinds.split():
         sys.exit(__doc__)
     for sequence in sys.argv[3:]:

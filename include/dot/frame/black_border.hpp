@@ -45,12 +45,12 @@ class BlackBorder {
       }
       return true;
     };
-    using Place = std::pair<int, int>;
+    using PixelPlace = std::pair<int, int>;
     // The columns second: those beside the picture are wholly black until its rows are filled.
-    bool any = fill_lines(left_, height, width, [](int y, int i) { return Place(i, y); });
-    any |= fill_lines(right_, height, width, [=](int y, int i) { return Place(width - 1 - i, y); });
-    any |= fill_lines(top_, width, height, [](int x, int i) { return Place(x, i); });
-    any |= fill_lines(bottom_, width, height, [=](int x, int i) { return Place(x, height - 1 - i); });
+    bool any = fill_lines(left_, height, width, [](int y, int i) { return PixelPlace(i, y); });
+    any |= fill_lines(right_, height, width, [=](int y, int i) { return PixelPlace(width - 1 - i, y); });
+    any |= fill_lines(top_, width, height, [](int x, int i) { return PixelPlace(x, i); });
+    any |= fill_lines(bottom_, width, height, [=](int x, int i) { return PixelPlace(x, height - 1 - i); });
     return any;
   }
 
@@ -110,9 +110,9 @@ class BlackBorder {
       const float slope = (end - begin) / kSteps;
       if (std::abs(slope) > kSteepest) return false;
       for (std::size_t i = 0; i <= kSteps; ++i) {
-        const int run = runs_[first + i];
-        if (run == 0 || stayed_[first + i] < kFrames) return false;
-        if (std::abs(begin + slope * static_cast<float>(i) - static_cast<float>(run)) > kRagged) return false;
+        const int pixels = runs_[first + i];
+        if (pixels == 0 || stayed_[first + i] < kFrames) return false;
+        if (std::abs(begin + slope * static_cast<float>(i) - static_cast<float>(pixels)) > kRagged) return false;
       }
       return true;
     }

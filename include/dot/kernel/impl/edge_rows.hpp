@@ -26,9 +26,9 @@ short magnitude(short a) {
 // Pointers to results are parameters, because only those are known not to alias.
 
 template <typename V>
-void compare(const unsigned char* a0, const unsigned char* a1, const unsigned char* a2, const unsigned char* b0,
-             const unsigned char* b1, const unsigned char* b2, int n, unsigned short* __restrict part,
-             unsigned short* __restrict all) {
+void compare_row(const unsigned char* a0, const unsigned char* a1, const unsigned char* a2, const unsigned char* b0,
+                 const unsigned char* b1, const unsigned char* b2, int n, unsigned short* __restrict part,
+                 unsigned short* __restrict all) {
   for (int x = 0; x < n; ++x) {
     const short ax = difference<V>(a1[x + 1], a1[x - 1]), ay = difference<V>(a2[x], a0[x]);
     const short bx = difference<V>(b1[x + 1], b1[x - 1]), by = difference<V>(b2[x], b0[x]);
@@ -40,9 +40,9 @@ void compare(const unsigned char* a0, const unsigned char* a1, const unsigned ch
 }
 
 template <typename V>
-void sum(const unsigned char* above, const unsigned char* here, const unsigned char* below, int n, short fade,
-         short edge, short* __restrict x_sums, short* __restrict y_sums, short* __restrict lengths,
-         unsigned short* __restrict part, unsigned short* __restrict all, unsigned char* __restrict stays) {
+void sum_row(const unsigned char* above, const unsigned char* here, const unsigned char* below, int n, short fade,
+             short edge, short* __restrict x_sums, short* __restrict y_sums, short* __restrict lengths,
+             unsigned short* __restrict part, unsigned short* __restrict all, unsigned char* __restrict stays) {
   constexpr short kHopeless = 3000;  // ten times as much is beyond any length, and fits
   const auto faded = [fade](short a) { return static_cast<short>(a - static_cast<short>((a * fade) >> 16)); };
   for (int i = 0; i < n; ++i) {
@@ -67,14 +67,14 @@ void sum(const unsigned char* above, const unsigned char* here, const unsigned c
 
 template <typename V>
 void compare_edges(const ThreeRows& now, const ThreeRows& before, int n, const EdgeColumns& columns) {
-  edge_rows::compare<V>(now.above, now.here, now.below, before.above, before.here, before.below, n, columns.part,
-                        columns.all);
+  edge_rows::compare_row<V>(now.above, now.here, now.below, before.above, before.here, before.below, n, columns.part,
+                            columns.all);
 }
 
 template <typename V>
 void sum_edges(const ThreeRows& rows, int n, const EdgeSums& sums, const EdgeColumns& columns, unsigned char* stays) {
-  edge_rows::sum<V>(rows.above, rows.here, rows.below, n, sums.fade, sums.edge, sums.x, sums.y, sums.length,
-                    columns.part, columns.all, stays);
+  edge_rows::sum_row<V>(rows.above, rows.here, rows.below, n, sums.fade, sums.edge, sums.x, sums.y, sums.length,
+                        columns.part, columns.all, stays);
 }
 
 }  // namespace dot::kernel

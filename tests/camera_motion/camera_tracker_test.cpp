@@ -213,6 +213,20 @@ TEST(CameraTracker, AGuessAfterARepeatedImageIsAsUnsureAsBothIntervals) {
   EXPECT_NEAR(step.covariance(0, 0), metres * metres / 3, 1e-4 * metres * metres);
 }
 
+// A guess shows the velocity: that of the new images if the scene went on meanwhile, or that of the frames.
+TEST(CameraTracker, KnowsWhetherARepeatedImageWasInserted) {
+  for (const bool inserted : {false, true}) {
+    Drive drive = repeating(3);
+    const auto path = straight({0, 0, 0}, {2, 0, 3});
+    drive.film.camera_path = [&](double t) { return path(inserted && t > 0.25 ? t - 0.1 : t); };
+    for (int i = 0; i < 5; ++i) drive.next();
+    drive.estimator.settings.min_phi = drive.estimator.settings.min_phi_unexpected = 2;
+    const CameraStep step = drive.next();
+    EXPECT_EQ(step.status, CameraStatus::Lost);
+    EXPECT_LT((step.T_cur_prev.t - Vector3<double>(-0.2, 0, -0.3)).norm(), 0.02) << "inserted: " << inserted;
+  }
+}
+
 // The edge of a picture in a black border has depth and stays. At 20 m/s it is what fits best.
 TEST(CameraTracker, IsNotHeldByABlackBorder) {
   Drive drive;

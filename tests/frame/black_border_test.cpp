@@ -127,9 +127,13 @@ TEST(BlackBorder, Stays) {
   };
   EXPECT_TRUE(is_filled(20, false)) << "nothing speaks against it yet";
   for (int i = 1; i < 8; ++i) EXPECT_FALSE(is_filled(20 + 4 * i, true)) << i;
-  for (int i = 0; i < 4; ++i) EXPECT_FALSE(is_filled(30, true)) << i;
-  for (int i = 0; i < 8; ++i) is_filled(30 + i % 2, true);
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(is_filled(30, true)) << i;
+  EXPECT_TRUE(is_filled(31, true));
   EXPECT_TRUE(is_filled(30, true));
+  for (int i = 1; i < 30; ++i) {  // slowly, as at 30 Hz
+    const bool filled = is_filled(30 + i, true);
+    if (i >= 4) EXPECT_FALSE(filled) << i;
+  }
   EXPECT_FALSE(is_filled(50, true));
   EXPECT_TRUE(is_filled(50, false)) << "another recording";
 }

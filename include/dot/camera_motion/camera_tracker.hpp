@@ -132,7 +132,7 @@ class CameraTracker {
 
   PointSet fresh_;
   BackgroundMask mask_;
-  std::vector<SE3d> starts_ = std::vector<SE3d>(3);
+  std::vector<SE3d> starts_ = std::vector<SE3d>(3);  ///< see `predict`; there are three at most
 };
 
 DOT_END_NAMESPACE

@@ -12,6 +12,8 @@ DOT_BEGIN_NAMESPACE
 /// How a cell of 4x4 pixels has changed between two images: the variance of the difference, with a shift and without
 /// one.
 struct CellChange {
+  static constexpr int kSize = 4;  ///< pixels
+
   float shifted = 0;    ///< grey values squared
   float unshifted = 0;  ///< grey values squared
 
@@ -26,7 +28,6 @@ struct CellChange {
   static CellChange between(const Image<std::uint8_t>& now, const Image<std::uint8_t>& before,
                             const Image<std::uint8_t>* counts, int column, int row, float x, float y) {
     using V = PortableLanes;  // a lane is a row of the cell
-    constexpr int kSize = 4;
     const int left = static_cast<int>(x), top = static_cast<int>(y);
     const V::F right = V::set(x - static_cast<float>(left)), below = V::set(y - static_cast<float>(top));
     constexpr float kRows[kSize] = {0, 1, 2, 3};

@@ -127,6 +127,7 @@ class StandingEdges {
   CellChange change(int column, int row, float du, float dv, Pixels pixels = Pixels::All) const {
     const int u = 1 + column * kCell, v = 1 + row * kCell;
     const float x = static_cast<float>(u) + du, y = static_cast<float>(v) + dv;
+    static_assert(kCell == CellChange::kSize);
     constexpr auto kSize = static_cast<float>(kCell);
     if (!(x >= 0 && y >= 0 && x + kSize < static_cast<float>(width_) && y + kSize < static_cast<float>(height_)))
       return {};

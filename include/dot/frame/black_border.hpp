@@ -62,8 +62,8 @@ class BlackBorder {
   static constexpr int kStraight = 17;      ///< rows or columns
   static constexpr float kRagged = 1.5f;    ///< pixels from a straight line
   static constexpr float kSteepest = 1.2f;  ///< pixels a line; else the edge is measured along the other direction
-  static constexpr int kMoved = 2;          ///< pixels by which the border's edge is another one from frame to frame
-  static constexpr int kFrames = 5;         ///< in which it must have stayed, or in all
+  static constexpr int kMoved = 2;          ///< pixels by which the border's edge is another one
+  static constexpr int kFrames = 10;        ///< in which it must have stayed, or in all so far
 
   /// The border at one side of the image. Its lines are rows or columns.
   class Side {
@@ -73,8 +73,9 @@ class BlackBorder {
     template <typename IsBorder>
     bool measure(int lines, int length, IsBorder&& is_border, bool follows) {
       runs_.resize(static_cast<std::size_t>(lines));
-      follows = follows && before_.size() == runs_.size();
-      if (!follows) before_.assign(runs_.size(), 0), stayed_.assign(runs_.size(), kFrames);
+      follows = follows && places_.size() == runs_.size();
+      places_.resize(runs_.size());
+      if (!follows) stayed_.assign(runs_.size(), kFrames);
       std::fill(runs_.begin(), runs_.end(), 0);
       bool goes_on = true;
       for (int i = 0; i < length && goes_on; ++i) {  // all lines at once: columns are not contiguous
@@ -84,8 +85,9 @@ class BlackBorder {
       }
       for (std::size_t i = 0; i < runs_.size(); ++i) {
         if (runs_[i] < kLeast || runs_[i] + kEdge >= length) runs_[i] = 0;
-        if (follows) stayed_[i] = std::abs(runs_[i] - before_[i]) > kMoved ? 0 : std::min(stayed_[i] + 1, kFrames);
-        before_[i] = runs_[i];
+        const bool moved = std::abs(runs_[i] - places_[i]) > kMoved;
+        if (follows) stayed_[i] = moved ? 0 : std::min(stayed_[i] + 1, kFrames);
+        if (moved || !follows) places_[i] = runs_[i];
       }
       widths_.assign(runs_.size(), 0);
       bool any = false;
@@ -118,7 +120,7 @@ class BlackBorder {
     }
 
     std::vector<int> runs_;    ///< of each line: black pixels without depth from this side
-    std::vector<int> before_;  ///< the same in the frame before
+    std::vector<int> places_;  ///< the same when it last moved
     std::vector<int> stayed_;  ///< of each line: frames for which its run has stayed, at most kFrames
     std::vector<int> widths_;  ///< of each line, see `width`
   };

@@ -47,7 +47,8 @@ struct Kernels {
   void (*compare_edges)(const ThreeRows& now, const ThreeRows& before, int n, const EdgeColumns& columns);
   /// Adds the gradients of n pixels to their sums. Then adds |sum g| and sum |g| of those that are edges to the
   /// columns.
-  /// @param stays 1 for an edge of which |sum g| is more than nine tenths of sum |g|, else 0.
+  /// @param stays 1 for an edge of which |sum g| is more than nine tenths of sum |g|, else 0: what is drawn over the
+  /// image may let shine through what is behind.
   void (*sum_edges)(const ThreeRows& rows, int n, const EdgeSums& sums, const EdgeColumns& columns,
                     unsigned char* stays);
 };

@@ -43,7 +43,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
 
   const bool repeated = step.status == CameraStatus::Tracked && cur.is_repeated();
   const double unknown_seconds = seconds + unseen_seconds_;
-  if (step.status != CameraStatus::Tracked || background_.guessed || repeated) {
+  if (step.status != CameraStatus::Tracked || background_.guessed || repeated || unseen_seconds_ > 0) {
     first_intervals_.clear();
   } else {
     first_intervals_.revise(background_, cur, step, camera, estimator, aligner, workspace, revised_);

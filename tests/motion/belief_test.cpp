@@ -36,6 +36,8 @@ MotionEstimate fit(const Vector3<double>& velocity, double sigma, double interva
   return e;
 }
 
+double sq(double x) { return x * x; }
+
 /// Log odds that one fit brings to a new belief.
 double evidence(const MotionEstimate& e) {
   Belief belief;
@@ -342,6 +344,27 @@ TEST(Belief, ARotationOfAFarObjectIsNoEvidence) {
   EXPECT_LT(log_odds_after(far, 3, settings), 0);
   far.angular_velocity[1] = 0.5;
   EXPECT_LT(log_odds_in_time(far, 0.03, 1), -2);  // nor where all fits agree: errors of the depth stay
+}
+
+// One fit of a parked car's far side turns by 2 rad/s, those after it by nothing. The slope of the depth's error stays,
+// so the first one's should be seen again. That it is not tells that the first fit was wrong, not that the car turns.
+TEST(Belief, NoRotationAfterAWrongOneIsNoEvidenceOfTurning) {
+  MotionEstimate e = fit({0, 0, 0}, 0.3);
+  e.range = 27;
+  e.inertia.diagonal() << 2.1, 2.2, 0.2;
+  e.angular_velocity << -1.4, 0.2, 1.5;
+  e.angular_covariance = 0.2 * 0.2 * I;
+  Belief belief;
+  belief.update(e, settings.v0_at(e.range), settings);
+  e.angular_velocity.setZero();
+  e.angular_covariance.diagonal() << sq(0.02), sq(0.1), sq(0.1);
+  for (int i = 0; i < 5; ++i) {
+    belief.predict(0.1, I, settings);
+    const double before = belief.log_odds;
+    belief.update(e, settings.v0_at(e.range), settings);
+    EXPECT_LT(belief.log_odds, before) << i;
+  }
+  EXPECT_LT(belief.log_odds, -2);
 }
 
 TEST(Belief, NothingThatIsNotFiniteEnters) {

@@ -45,8 +45,8 @@ struct StripWave {
     if (!flat.level(values, distances) || flat.distance(values, distances) < kLeastDistance * least_amplitude)
       return best;
     double least = std::numeric_limits<double>::infinity();
-    const auto attempt = [&](double periods) {
-      wave.periods = periods;
+    const auto attempt = [&](double p) {
+      wave.periods = p;
       const double cost = wave.solve_sinusoid(values);
       if (cost < least) least = cost, best = wave;
     };

@@ -200,7 +200,7 @@ inline void trim_row(float* line, int width, const float* measured, float tolera
       inside += is_set;
       occluded += is_nearer;
       confirmed += is_known & !is_nearer & !is_farther;
-      line[i] = is_nearer | is_farther ? 0 : q;
+      line[i] = (is_nearer | is_farther) ? 0 : q;
     }
   }
   out.inside_area += inside, out.confirmed_area += confirmed, out.occluded_area += occluded;

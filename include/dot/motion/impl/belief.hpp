@@ -114,9 +114,13 @@ DOT_INLINE double Belief::turns_or_not(const MotionEstimate& e, double v0, const
   double turns = 0, not_turns = 0;
   for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, U},
                                  std::pair<double, Matrix3<double>>{s.tail_share, s.tail_variance * U}}) {
-    not_turns += share * density(u - drift_mean, S + drift_left);
-    const double fresh = hypothesis(u, S + drift, Vector3<double>::Zero(), prior, v0);
-    turns += share * (predicted ? (1 - kFreshShare) * hypothesis(u, S + drift, m, P, v0) + kFreshShare * fresh : fresh);
+    // Either hypothesis allows that the fits before were wrong.
+    const double still = density(u, S + drift), fresh = hypothesis(u, S + drift, Vector3<double>::Zero(), prior, v0);
+    const auto mixed = [&](double expected, double anew) {
+      return share * ((1 - kFreshShare) * expected + kFreshShare * anew);
+    };
+    not_turns += predicted ? mixed(density(u - drift_mean, S + drift_left), still) : share * still;
+    turns += predicted ? mixed(hypothesis(u, S + drift, m, P, v0), fresh) : share * fresh;
   }
   return ((1 - s.outliers) * turns + outlier + kTiny) / ((1 - s.outliers) * not_turns + outlier + kTiny);
 }

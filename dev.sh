@@ -238,6 +238,7 @@ sanitize_with() {
 }
 
 sanitize() {
+  need clang libclang-rt-dev # it compiles this in two thirds of GCC's time
   sanitize_with asan-ubsan all
   say "testing with the address and undefined-behaviour sanitizers"
   ctest --preset asan-ubsan -j2

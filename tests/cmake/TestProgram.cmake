@@ -8,12 +8,18 @@ set(DOT_TEST_TIMEOUT 300 CACHE STRING "seconds that one test may take; more wher
 # Left out with sanitizers: long films, statistics over many seeds and counts of allocations, of code that other tests run
 # as well.
 set(unsanitized
+    Belt.BeforeAStandingCameraIsNotTheScene
     DepthGradient.LeftOutOfTheDerivativeItCostsNothingOnSlantedPlanes
     Departing.FlipsWithinHalfASecond
+    FixedPart.IsNotSuspectedInAScene
+    FixedPart.IsNotTheSceneInWhichALorryPassesAStandingCamera
+    Flicker.ChangesNoDecision
     *FrameRate.*
     LostCamera.MakesNothingMove
     *MissedMask.*
+    Overlay.IsNotACarAheadOfTheSameSpeed
     RollingShutterPipeline.NorByAHostsMotionOfTheMiddleRow
+    RollingShutterPipeline.TheCamerasMotionIsThatOfTheMiddleRow
     RollingShutterPipeline.WhatStandsIsNotCalledMoving
     SteadyState.*)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=thread")

@@ -6,6 +6,7 @@
 
 #include "dot/camera/concept.hpp"
 #include "dot/camera_motion/standing_edges.hpp"
+#include "dot/kernel/lanes.hpp"
 #include "dot/lie/se3.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -32,13 +33,21 @@ class CellShift {
 
   /// Inverse depth of the farthest pixel in a cell and beside it, 1/m; 0: none has depth.
   float farthest(int column, int row) const {
-    float farthest = 0;
-    for (int v = row * kCell; v < (row + 1) * kCell + 2; ++v)
-      for (int u = column * kCell; u < (column + 1) * kCell + 2; ++u) {
-        const float q = inverse_depth_(u, v);
-        if (q > 0 && (farthest == 0 || q < farthest)) farthest = q;
-      }
-    return farthest;
+    using V = PortableLanes;
+    constexpr int kPixels = kCell + 2;
+    constexpr float kNone = 1e9f;
+    V::F least = V::set(kNone);
+    for (int v = row * kCell; v < row * kCell + kPixels; ++v)
+      for (const int first : {0, kPixels - kCell})
+        for (int u = first; u < first + kCell; u += V::W) {
+          const V::F q = V::load(&inverse_depth_(column * kCell + u, v));
+          // What has no depth is beyond all others.
+          least = V::min(least, V::add(q, V::keep(V::not_less(V::set(0), q), V::set(kNone))));
+        }
+    float lanes[V::W];
+    V::store(lanes, least);
+    const float farthest = *std::min_element(lanes, lanes + V::W);
+    return farthest < kNone ? farthest : 0;
   }
 
   /// @param q inverse depth of the cell, 1/m. @param[out] shift to the place in the last frame, pixels of the level.

@@ -12,6 +12,7 @@
 
 #include "dot/abi.hpp"
 #include "dot/image/image.hpp"
+#include "dot/kernel/lanes.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -80,7 +81,8 @@ class DepthStep {
   static constexpr std::size_t kMostEdges = 1024;  ///< of a frame and a side
   static constexpr int kSurroundings = 16;         ///< pixels whose edges are those to compare with
   static constexpr int kMargin = kSurroundings + 1;
-  static constexpr int kLargestHole = 12;  ///< pixels without depth at the end of a thing
+  static constexpr int kBlock = 4 * PortableLanes::W;  ///< pixels that are looked at at once
+  static constexpr int kLargestHole = 12;              ///< pixels without depth at the end of a thing
 
   struct Edge {
     std::uint16_t row, x;
@@ -122,9 +124,14 @@ class DepthStep {
   /// A hole belongs to what is farther away: a second camera, or a projector, does not see it.
   void find_ends(const float* q, int row, float least_jump, Frame& out) {
     constexpr float kJump = 0.15f;  // of the nearer surface's inverse depth
-    int last = -1;
+    int last = -1, rough = 1;       // up to `rough` there is a step or a hole
     pixels_ += width_;
     for (int x = 0; x < width_; ++x) {
+      if (x >= rough && last == x - 1) {
+        x += smooth_pixels(q, x, least_jump, kJump);
+        last = x - 1, rough = x + kBlock;
+        if (x == width_) return;
+      }
       if (q[x] <= 0) continue;
       ++measured_;
       inverse_sum_ += static_cast<double>(q[x]);
@@ -135,6 +142,30 @@ class DepthStep {
       }
       last = x;
     }
+  }
+
+  /// Counts and sums up blocks of pixels from x on that all have depth, and no step, after one that has depth.
+  /// @return their number.
+  int smooth_pixels(const float* q, int first, float least_jump, float jump) {
+    using V = PortableLanes;
+    V::F sum = V::set(0);
+    int x = first;
+    for (; x + kBlock <= width_; x += kBlock) {
+      V::F of_block = V::set(0);
+      V::M smooth = V::less(V::set(-1), V::set(0));
+      for (int i = x; i < x + kBlock; i += V::W) {
+        const V::F now = V::load(q + i), before = V::load(q + i - 1);
+        const V::F needed = V::max(V::set(least_jump), V::mul(V::set(jump), V::max(now, before)));
+        const V::M is_step = V::less(needed, V::abs(V::sub(now, before)));
+        smooth = V::both(smooth, V::without(V::less(V::set(0), now), is_step));
+        of_block = V::add(of_block, now);
+      }
+      if (V::count(smooth) < V::W) break;
+      sum = V::add(sum, of_block);
+    }
+    measured_ += x - first;
+    inverse_sum_ += static_cast<double>(V::sum(sum));
+    return x - first;
   }
   static void add_end(std::vector<Edge>& ends, int row, int x) {
     if (ends.size() < kMostEdges && x >= kMargin + kMaxOffset)

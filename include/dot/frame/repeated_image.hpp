@@ -49,11 +49,13 @@ class RepeatedImage {
 
  private:
   static constexpr int kColumns = 16, kRows = 8;  ///< of the grid
-  static constexpr int kStep = 2;                 ///< each so-many-th pixel of each so-many-th row is compared
+  static constexpr int kRowStep = 4;              ///< each so-many-th row is compared
+  static constexpr int kBlock = 16;               ///< pixels that SIMD code adds at once
+  static constexpr float kCorrelated = 2;         ///< pixels beside each other whose noise is as of one
   static constexpr int kFew = 2;                  ///< cells that may be wrong
   static constexpr int kLeastTextured = 8;        ///< cells; less of an image tells nothing
   static constexpr float kOfUsual = 0.25f;        ///< share of the change between new images
-  static constexpr float kLargest = 30;           ///< grey values; a change is not larger where an edge moved far
+  static constexpr short kLargest = 30;           ///< grey values; a change is not larger where an edge moved far
   static constexpr float kLeastShift = 0.03f;     ///< pixels of the level
   static constexpr float kLeastGradient = 2;      ///< grey values per pixel, root mean square of a cell with texture
 
@@ -62,9 +64,38 @@ class RepeatedImage {
     return a.width() == b.width() && a.height() == b.height() && std::memcmp(a.row(0), b.row(0), size) == 0;
   }
 
+  /// Sums over pixels: of I, of d, of twice the gradient g = (u, v), and of their products.
+  struct Sums {
+    int i = 0, ii = 0, d = 0, id = 0, dd = 0, uu = 0, uv = 0, vv = 0, ud = 0, vd = 0;
+  };
+
+  /// @param above, below the rows beside `before`. All begin at a pixel with one to its left, and go on after `n`.
+  static Sums sum(const std::uint8_t* now, const std::uint8_t* above, const std::uint8_t* before,
+                  const std::uint8_t* below, int n) {
+    Sums s;
+    for (int x = 0; x < n; ++x) {  // of 16 bits, and without branches, so that it becomes SIMD code
+      const auto i = static_cast<short>(before[x]);
+      const auto change = static_cast<short>(now[x] - before[x]);
+      const short d = std::min<short>(kLargest, std::max<short>(-kLargest, change));
+      const auto u = static_cast<short>(before[x + 1] - before[x - 1]);
+      const auto v = static_cast<short>(below[x] - above[x]);
+      s.i += i, s.ii += i * i, s.d += d, s.id += i * d, s.dd += d * d;
+      s.uu += u * u, s.uv += u * v, s.vv += v * v, s.ud += u * d, s.vd += v * d;
+    }
+    return s;
+  }
+
   struct Cell {
     float n = 0, i = 0, ii = 0, d = 0, id = 0, dd = 0, uu = 0, uv = 0, vv = 0, ud = 0, vd = 0;
 
+    void add(const Sums& s, int pixels) {
+      n += static_cast<float>(pixels);
+      i += static_cast<float>(s.i), ii += static_cast<float>(s.ii), d += static_cast<float>(s.d);
+      id += static_cast<float>(s.id), dd += static_cast<float>(s.dd);
+      uu += 0.25f * static_cast<float>(s.uu), uv += 0.25f * static_cast<float>(s.uv);
+      vv += 0.25f * static_cast<float>(s.vv);
+      ud += 0.5f * static_cast<float>(s.ud), vd += 0.5f * static_cast<float>(s.vd);
+    }
     bool has_texture() const { return uu + vv > kLeastGradient * kLeastGradient * n; }
     /// Sum of the squares of d without the light's change.
     float rest() const {
@@ -80,7 +111,7 @@ class RepeatedImage {
       const float u = (vv * ud - uv * vd) / det, v = (uu * vd - uv * ud) / det;
       const float explained = u * ud + v * vd, unexplained = std::max(0.0f, rest() - explained);
       return u * u + v * v > kLeastShift * kLeastShift &&
-             explained * (n - 2) > static_cast<float>(chi2::k5SigmaOf1) * unexplained;
+             explained * (n / kCorrelated - 2) > static_cast<float>(chi2::k5SigmaOf1) * unexplained;
     }
   };
 
@@ -88,21 +119,14 @@ class RepeatedImage {
   float compare(const Image<std::uint8_t>& now, const Image<std::uint8_t>& before) {
     std::array<Cell, kColumns * kRows> cells{};
     const int width = now.width(), height = now.height();
-    for (int y = 1; y + 1 < height; y += kStep) {
-      const std::uint8_t *a = now.row(y), *b = before.row(y), *above = before.row(y - 1), *below = before.row(y + 1);
+    for (int y = 1; y + 1 < height; y += kRowStep) {
+      const std::uint8_t *above = before.row(y - 1), *here = before.row(y), *below = before.row(y + 1);
       Cell* row = cells.data() + (y * kRows / height) * kColumns;
       for (int column = 0; column < kColumns; ++column) {
-        const int end = std::min(width - 1, (column + 1) * width / kColumns);
-        Cell sum = row[column];
-        for (int x = std::max(1, column * width / kColumns); x < end; x += kStep) {
-          const float d = std::clamp(static_cast<float>(a[x] - b[x]), -kLargest, kLargest);
-          const float gu = 0.5f * static_cast<float>(b[x + 1] - b[x - 1]);
-          const float gv = 0.5f * static_cast<float>(below[x] - above[x]);
-          const float i = static_cast<float>(b[x]);
-          sum.n += 1, sum.i += i, sum.ii += i * i, sum.d += d, sum.id += i * d, sum.dd += d * d;
-          sum.uu += gu * gu, sum.uv += gu * gv, sum.vv += gv * gv, sum.ud += gu * d, sum.vd += gv * d;
-        }
-        row[column] = sum;
+        const int x = std::max(1, column * width / kColumns);
+        int n = std::min(width - 1, (column + 1) * width / kColumns) - x;
+        if (n > kBlock) n -= n % kBlock;
+        if (n > 0) row[column].add(sum(now.row(y) + x, above + x, here + x, below + x, n), n);
       }
     }
     std::array<float, kColumns * kRows> changes{};

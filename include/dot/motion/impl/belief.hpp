@@ -111,16 +111,19 @@ DOT_INLINE double Belief::turns_or_not(const MotionEstimate& e, double v0, const
     const Matrix3<double> K = Matrix3<double>((drift + P).ldlt().solve(drift)).transpose();  // zero without drift
     drift_mean = K * m, drift_left -= K * drift;
   }
+  const Vector3<double> zero = Vector3<double>::Zero();
+  const auto mixed = [](double expected, double fresh) { return (1 - kFreshShare) * expected + kFreshShare * fresh; };
   double turns = 0, not_turns = 0;
   for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, U},
                                  std::pair<double, Matrix3<double>>{s.tail_share, s.tail_variance * U}}) {
     // Either hypothesis allows that the fits before were wrong.
-    const double still = density(u, S + drift), fresh = hypothesis(u, S + drift, Vector3<double>::Zero(), prior, v0);
-    const auto mixed = [&](double expected, double anew) {
-      return share * ((1 - kFreshShare) * expected + kFreshShare * anew);
-    };
-    not_turns += predicted ? mixed(density(u - drift_mean, S + drift_left), still) : share * still;
-    turns += predicted ? mixed(hypothesis(u, S + drift, m, P, v0), fresh) : share * fresh;
+    double still = density(u, S + drift), turn = hypothesis(u, S + drift, zero, prior, v0);
+    if (predicted) {
+      still = mixed(density(u - drift_mean, S + drift_left), still);
+      turn = mixed(hypothesis(u, S + drift, m, P, v0), turn);
+    }
+    not_turns += share * still;
+    turns += share * turn;
   }
   return ((1 - s.outliers) * turns + outlier + kTiny) / ((1 - s.outliers) * not_turns + outlier + kTiny);
 }

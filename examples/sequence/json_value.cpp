@@ -11,6 +11,7 @@
 
 #include "errors.hpp"
 #include "fields.hpp"
+#include "text.hpp"
 
 namespace runner {
 namespace {
@@ -181,6 +182,7 @@ JsonValue read_json(const std::filesystem::path& path) {
   } catch (const std::ios_base::failure&) {
     throw FileError(path.string() + ": cannot be read");
   }
+  drop_byte_order_mark(path, text);
   return Parser(path, text).document();
 }
 

@@ -45,7 +45,15 @@ std::vector<std::string> read_lines(const std::filesystem::path& path) {
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
   // A folder opens, but reading it fails.
   if (!stream.eof()) throw FileError(path.string() + ": cannot be read");
+  if (!lines.empty()) drop_byte_order_mark(path, lines.front());
   return lines;
+}
+
+void drop_byte_order_mark(const std::filesystem::path& path, std::string& text) {
+  const auto begins_with = [&](const char* bytes) { return text.rfind(bytes, 0) == 0; };
+  if (begins_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  if (begins_with("\xFF\xFE") || begins_with("\xFE\xFF"))
+    throw FileError(path.string() + ": is UTF-16, must be ASCII or UTF-8");
 }
 
 std::string format(const char* pattern, double value) {

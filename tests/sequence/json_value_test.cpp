@@ -37,6 +37,8 @@ TEST(JsonValue, EachType) {
   EXPECT_EQ(v.find("c"), nullptr);
 }
 
+TEST(JsonValue, AfterAByteOrderMark) { EXPECT_TRUE(parse(RecordingFolder(), "\xEF\xBB\xBF{}").is(Type::Object)); }
+
 TEST(JsonValue, Escapes) {
   const RecordingFolder folder;
   EXPECT_EQ(parse(folder, R"("\"\\\/\b\f\n\r\t")").string(), "\"\\/\b\f\n\r\t");

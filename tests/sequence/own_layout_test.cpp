@@ -50,6 +50,22 @@ TEST(OwnLayout, ImplausibleIntrinsics) {
         ":3: nothing may follow the line of the depth but that of the distortion"}});
 }
 
+// As editors on Windows write it, and as its shell does.
+TEST(OwnLayout, TextWithAByteOrderMark) {
+  const RecordingFolder folder;
+  write_frames(folder);
+  expect_complaints(folder, "intrinsics.txt",
+                    {{"UTF-8",
+                      "\xEF\xBB\xBF"
+                      "36 36 2.5 1.5 6 4 0.5 10\r\n",
+                      ""},
+                     {"UTF-16",
+                      "\xFF\xFE"
+                      "3\0006\0 \000"s,
+                      ": is UTF-16, must be ASCII or UTF-8"},
+                     {"UTF-16, big endian", "\xFE\xFF\0003\0006\0 "s, ": is UTF-16, must be ASCII or UTF-8"}});
+}
+
 /// A tracker would take memory for images of the size that is claimed.
 TEST(OwnLayout, ImagesHaveTheSizeOfTheCamera) {
   const RecordingFolder folder;

@@ -93,7 +93,7 @@ class CameraTracker {
     held_ = refuted_ = false;
     velocity_known_ = false;
     unseen_seconds_ = 0;
-    steady_ = 0;
+    steady_ = still_ = 0;
     turning_rows_ = 0;
     velocity_.setZero();
     correlation_ = {};
@@ -102,6 +102,7 @@ class CameraTracker {
  private:
   static constexpr double kSteady = 2;         ///< intervals in a row that make a velocity steady
   static constexpr double kShareOfNew = 0.25;  ///< of a frame in `turning_rows_`: three in a row make it the most
+  static constexpr double kStill = 0.25;       ///< pixels by which the points move at most if the image is the same
   static constexpr double kKept = 0.25;        ///< share of the reach up to which an interval keeps the velocity
 
   /// T_cur_prev of each start, the most trusted first: from the host, and at constant velocity.
@@ -120,7 +121,8 @@ class CameraTracker {
   bool velocity_known_ = false;                         ///< whether it is of the last interval
   double unseen_seconds_ = 0;                           ///< of the repeated images before the newest frame
   int steady_ = 0;                                      ///< intervals in a row that kept the velocity
-  double turning_rows_ = 0;                             ///< share of the last frames whose rows turn (RollingShutter)
+  int still_ = 0;  ///< intervals since a search, all without motion, up to those that repeated images may explain
+  double turning_rows_ = 0;  ///< share of the last frames whose rows turn (RollingShutter)
   UsualCorrelation correlation_;
   FirstIntervals first_intervals_;
   std::vector<RevisedInterval> revised_;

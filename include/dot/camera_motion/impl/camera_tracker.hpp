@@ -24,6 +24,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   if (seconds <= 0) {
     velocity_known_ = false;
     unseen_seconds_ = 0;
+    still_ = 0;
     first_intervals_.clear();
     if (prev) step.covariance = covariance_of_guess(estimator.settings, cur.timestamp - prev->timestamp);
     return step;
@@ -41,6 +42,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   else
     searched = estimate(prev, cur, host.prior.has_value(), objects, camera, estimator, aligner, workspace, step);
 
+  if (step.status != CameraStatus::Tracked) still_ = 0;
   const bool repeated = step.status == CameraStatus::Tracked && cur.is_repeated();
   const double unknown_seconds = seconds + unseen_seconds_;
   if (step.status != CameraStatus::Tracked || background_.guessed || repeated || unseen_seconds_ > 0) {
@@ -123,27 +125,35 @@ bool CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
   for (SE3d& T : starts_) T = T * T_prev_points;
   const CameraSettings& s = estimator.settings;
   const TurnSearch turns{s.search_turn * step.seconds, prev->pyramid};
+  bool known = velocity_known_ && unseen_seconds_ == 0;
   const auto align = [&](const CameraSearch* search) {
     MotionEvidence evidence{objects, T_prev_points.inverse()};
     evidence.turns = &turns;
-    if (velocity_known_ && unseen_seconds_ == 0) {
+    if (known) {
       evidence.reach = estimator.reach(step.seconds);
       if (!expected) evidence.steadiness = std::min(1.0, steady_ / kSteady);  // a host may know of a change
     }
     step.alignment =
         estimator.estimate(background_.points, cur.pyramid, camera, starts_, search, evidence, aligner, workspace);
   };
+  const auto moved = [&] {
+    return !is_near(background_.points, camera, step.alignment.state.T, T_prev_points, kStill);
+  };
   const CameraSearch search{s.search_speed * step.seconds, s.search_turn * step.seconds, prev->pyramid, T_prev_points};
   align(velocity_known_ ? nullptr : &search);
   bool ok = estimator.accepts(step.alignment, velocity_known_ || expected), searched = !velocity_known_;
-  if (velocity_known_ && (!ok || correlation_.has_dropped(step.alignment.phi))) {  // the camera's velocity changed
+  // If nothing has moved since the search, the images may have been one, repeated, before a camera that moves.
+  const bool starts = still_ > 0 && moved();
+  if (velocity_known_ && (!ok || starts || correlation_.has_dropped(step.alignment.phi))) {  // another velocity
     const Alignment predicted = step.alignment;
+    known = known && !starts;
     align(&search);
     searched = estimator.accepts(step.alignment, false) &&
-               (!ok || UsualCorrelation::is_much_better(step.alignment.phi, predicted.phi));
+               (!ok || starts || UsualCorrelation::is_much_better(step.alignment.phi, predicted.phi));
     if (!searched) step.alignment = predicted;
     ok = ok || searched;
   }
+  still_ = (searched || still_ > 0) && still_ < FrameData::kLongestRun && !moved() ? still_ + 1 : 0;
   // After an unexpected turn, what explains less than usual needs as much evidence as without a prediction.
   const bool turns_as_predicted = std::any_of(starts_.begin(), starts_.end(), [&](const SE3d& predicted) {
     return !UnexpectedTurn::is_in(background_.points, camera, step.alignment.state.T, predicted);

@@ -113,15 +113,17 @@ TEST(Watch, NoticesRepeatedImages) {
   EXPECT_NEAR(look(setting).figure, 0.25, 0.07);
 }
 
-// Without noise, all images of a camera that stands are the same.
-TEST(Watch, SuspectsNothingOfACameraThatStands) {
+// Without noise, all images of a camera that stands are the same. A driver that hangs repeats its last one for longer.
+TEST(Watch, TellsAnImageThatStaysFromACameraThatStandsForAWhile) {
   dot::Watch watch;
   const dot::DepthNoise noise(dot::DepthNoiseSettings{}, dot::Intrinsics{300, 300, 160, 120, kWidth, kHeight, 0});
   for (int i = 0; i < 90; ++i) {
-    const int standing = i < 30 ? 0 : i < 60 ? i - 30 : 30;
-    dot::FrameData frame = scene(100 + standing);
-    frame.repeats = i < 30 ? i : i <= 60 ? 0 : i - 60;
-    EXPECT_EQ(watch.look(frame, noise, i > 0 ? 0.1 : 0, 1, false).reason, Suspicion::None) << i;
+    const int stood = i < 16 ? i : i < 60 ? 0 : i - 59, moved = i < 16 ? 0 : i < 60 ? i - 15 : 44;
+    dot::FrameData frame = scene(100 + moved);
+    frame.repeats = stood;
+    const dot::Diagnosis diagnosis = watch.look(frame, noise, i > 0 ? 0.1 : 0, 1, false);
+    EXPECT_EQ(diagnosis.reason, stood < 16 ? Suspicion::None : Suspicion::RepeatedImages) << i;
+    EXPECT_EQ(diagnosis.figure, stood < 16 ? 0 : 1) << i;
   }
 }
 

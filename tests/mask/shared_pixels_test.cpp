@@ -3,6 +3,9 @@
 #include "dot/mask/shared_pixels.hpp"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -35,8 +38,8 @@ TEST(SharedPixels, GoToTheObjectOfTheirDepth) {
   const box_scene::Rendered scene = two_things();
   for (const bool swapped : {false, true}) {
     Mask near = rectangle(15, 15, 30, 30), far = rectangle(30, 10, 30, 40), scratch;
-    EXPECT_TRUE(swapped ? dot::separate(scene.inverse_depth, Noise{}, kObject, kNear, far, near, scratch)
-                        : dot::separate(scene.inverse_depth, Noise{}, kNear, kObject, near, far, scratch));
+    EXPECT_TRUE(swapped ? dot::separate(scene.inverse_depth, Noise{}, kObject, kNear, far, near, nullptr, scratch)
+                        : dot::separate(scene.inverse_depth, Noise{}, kNear, kObject, near, far, nullptr, scratch));
     EXPECT_EQ(far.area, 30 * 40 - 10 * 20) << "all but what the near thing hides";
     EXPECT_EQ(dot::overlap(far, rectangle(20, 20, 20, 20)), 0);
     // In columns 30 to 44 the near thing's mask keeps what is its own.
@@ -50,7 +53,7 @@ TEST(SharedPixels, StayInBothWhereItIsNotClear) {
   const Mask a = rectangle(15, 15, 30, 30), b = rectangle(30, 10, 30, 40);
   const auto unchanged = [&](const Noise& noise, float q_a, float q_b) {
     Mask near = a, far = b, scratch;
-    const bool changed = dot::separate(scene.inverse_depth, noise, q_a, q_b, near, far, scratch);
+    const bool changed = dot::separate(scene.inverse_depth, noise, q_a, q_b, near, far, nullptr, scratch);
     return !changed && near.area == a.area && far.area == b.area;
   };
   EXPECT_TRUE(unchanged({}, 1.04f * kObject, kObject)) << "two masks of one object";
@@ -66,35 +69,121 @@ TEST(SharedPixels, StayInBothWhereItIsNotClear) {
   EXPECT_TRUE(unchanged({}, kNear, kObject)) << "not measured";
 }
 
+bool is_around(const Mask& outer, const Mask& inner) { return dot::is_around(outer, outer.area, inner); }
+
+TEST(SharedPixels, GoToTheInnerMaskWhereDepthDoesNotTell) {
+  box_scene::Rendered scene = two_things();
+  const auto areas = [&](float q_inner, float q_outer) {
+    Mask outer = rectangle(10, 10, 60, 40), inner = rectangle(20, 20, 20, 20), scratch;
+    EXPECT_TRUE(is_around(outer, inner));
+    EXPECT_TRUE(dot::separate(scene.inverse_depth, Noise{}, q_inner, q_outer, inner, outer, &outer, scratch));
+    return std::array<int, 2>{inner.area, outer.area};
+  };
+  const std::array<int, 2> all_inner{400, 2000}, half_each{200, 2200};
+  EXPECT_EQ(areas(kNear, kNear), all_inner);
+  EXPECT_EQ(areas(kNear, 0), all_inner);
+  EXPECT_EQ(areas(0, kNear), all_inner);
+  EXPECT_EQ(areas(kObject, kNear), (std::array<int, 2>{400 - 400, 2400})) << "all of it has the outer one's depth";
+  for (int v = 20; v < 40; ++v)
+    for (int u = 20; u < 30; ++u) scene.inverse_depth(u, v) = kObject;
+  EXPECT_EQ(areas(kObject, kNear), half_each);
+}
+
+TEST(SharedPixels, OnlyAMuchLargerMaskIsAroundAnother) {
+  const Mask inner = rectangle(20, 20, 20, 20);
+  EXPECT_FALSE(is_around(rectangle(20, 20, 20, 28), inner)) << "two masks of one object";
+  EXPECT_TRUE(is_around(rectangle(20, 20, 20, 31), inner));
+  EXPECT_TRUE(is_around(rectangle(21, 20, 40, 31), inner)) << "it need not hold all of it";
+  EXPECT_FALSE(is_around(rectangle(25, 20, 40, 31), inner));
+  EXPECT_FALSE(is_around(inner, rectangle(20, 20, 20, 31)));
+}
+
 TEST(SharedPixels, MasksApartDoNotChange) {
   const box_scene::Rendered scene = two_things();
   for (const std::array<int, 2>& corner : {std::array<int, 2>{40, 0}, {0, 40}, {40, 40}}) {
     Mask a = rectangle(0, 0, 40, 40), b = rectangle(corner[0], corner[1], 20, 20), scratch;
-    EXPECT_FALSE(dot::separate(scene.inverse_depth, Noise{}, kNear, kObject, a, b, scratch));
+    EXPECT_FALSE(dot::separate(scene.inverse_depth, Noise{}, kNear, kObject, a, b, nullptr, scratch));
     EXPECT_EQ(a.area, 1600);
     EXPECT_EQ(b.area, 400);
   }
 }
 
-TEST(SharedPixels, OfAListOfBoxesAreSeparatedAsTheyAreRead) {
-  const box_scene::Rendered scene = two_things();
-  const dot::Pinhole camera(box_scene::kIntrinsics);
-  dot::Image<std::uint8_t> filled;
-  filled.resize(kWidth, kHeight);
-  filled.fill(255);
-  const auto box = [&](std::uint32_t id, int x, int y, int width, int height) {
-    dot::Instance out;
+/// Boxes of a detector in the image of `two_things`, as they are read.
+class Boxes {
+ public:
+  Boxes() : filled_(kWidth, kHeight) { filled_.fill(255); }
+
+  void add(std::uint32_t id, const std::array<int, 4>& box, float score = 1) {
+    dot::Instance& out = list_.emplace_back();
     out.id = id;
-    out.x = x, out.y = y;
-    out.mask = {filled.row(0), width, height, kWidth, dot::PixelFormat::Grey8};
-    return out;
-  };
-  const std::array<dot::Instance, 2> boxes{box(1, 20, 20, 20, 20), box(2, 30, 10, 30, 40)};
-  dot::Masks masks;
-  masks.instances = {boxes.data(), boxes.size()};
-  dot::Observations observations;
-  observations.count("masks", masks, 10, kWidth, kHeight);
-  observations.read(masks, scene.inverse_depth, camera, Noise{});
+    out.score = score;
+    out.x = box[0], out.y = box[1];
+    out.mask = {filled_.row(0), box[2], box[3], kWidth, dot::PixelFormat::Grey8};
+  }
+  const dot::Observations& read() {
+    dot::Masks masks;
+    masks.instances = {list_.data(), list_.size()};
+    observations_.list.clear();
+    observations_.count("masks", masks, 10, kWidth, kHeight);
+    observations_.read(masks, two_things().inverse_depth, dot::Pinhole(box_scene::kIntrinsics), Noise{});
+    return observations_;
+  }
+  /// Area of the mask of an id; 0: it was dropped.
+  int area(std::uint32_t id) {
+    const dot::Observations& read_ones = read();
+    for (std::size_t i = 0; i < read_ones.list.size(); ++i)
+      if (read_ones.list[i].instance_id == id) return read_ones.list[i].mask.area;
+    return 0;
+  }
+
+ private:
+  dot::Image<std::uint8_t> filled_;
+  std::vector<dot::Instance> list_;
+  dot::Observations observations_;
+};
+
+TEST(SharedPixels, AMaskOfTheWholeImageTakesNoneOfTheOthers) {
+  Boxes boxes;
+  boxes.add(1, {22, 22, 10, 10});
+  boxes.add(2, {0, 0, kWidth, kHeight}, 0.3f);
+  boxes.add(3, {40, 15, 10, 30});
+  EXPECT_EQ(boxes.area(1), 100);
+  EXPECT_EQ(boxes.area(3), 300);
+  EXPECT_EQ(boxes.area(2), kWidth * kHeight - 400);
+}
+
+TEST(SharedPixels, AMaskOfAGroupIsDroppedBesideItsMembers) {
+  for (const float score : {0.3f, 1.0f, 1.1f}) {
+    Boxes boxes;
+    boxes.add(1, {40, 10, 8, 40});
+    boxes.add(2, {40, 10, 20, 40}, score);
+    boxes.add(3, {50, 10, 10, 40});
+    EXPECT_EQ(boxes.area(1), 320);
+    EXPECT_EQ(boxes.area(3), 400);
+    EXPECT_EQ(boxes.area(2), score > 1 ? 800 : 0) << "surer than its members?";
+  }
+}
+
+TEST(SharedPixels, OfTwoMasksOfOneObjectTheSurerOneStays) {
+  for (const float score : {0.5f, 0.9f, 1.0f}) {
+    Boxes boxes;
+    boxes.add(1, {40, 10, 20, 40}, 0.9f);
+    boxes.add(2, {41, 11, 20, 40}, score);
+    EXPECT_EQ(boxes.area(1), score > 0.9f ? 0 : 800) << score;
+    EXPECT_EQ(boxes.area(2), score < 0.9f ? 0 : 800) << score;
+  }
+  Boxes neighbours;
+  neighbours.add(1, {40, 10, 12, 40}, 0.9f);
+  neighbours.add(2, {46, 10, 12, 40}, 0.5f);
+  EXPECT_EQ(neighbours.area(1), 480);
+  EXPECT_EQ(neighbours.area(2), 480);
+}
+
+TEST(SharedPixels, OfAListOfBoxesAreSeparatedAsTheyAreRead) {
+  Boxes boxes;
+  boxes.add(1, {20, 20, 20, 20});
+  boxes.add(2, {30, 10, 30, 40});
+  const dot::Observations& observations = boxes.read();
   ASSERT_EQ(observations.list.size(), 2u);
   EXPECT_EQ(observations.list[0].mask.area, 400);
   EXPECT_EQ(observations.list[1].mask.area, 1000);

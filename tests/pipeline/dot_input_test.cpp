@@ -233,6 +233,15 @@ std::vector<std::uint8_t> coloured(const Image<std::uint8_t>& grey, int channels
   return out;
 }
 
+/// Noise in three channels, with rows that are four bytes a pixel apart, or in three of four channels.
+std::vector<std::uint8_t> noisy(int channels, double brightest, std::uint8_t alpha = 0) {
+  Random random(7);
+  std::vector<std::uint8_t> out(std::size_t{4} * 160 * 120);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = channels == 4 && i % 4 == 3 ? alpha : static_cast<std::uint8_t>(random.uniform(0, brightest));
+  return out;
+}
+
 TEST(Input, FourChannelsSaidToBeThreeAreRefused) {
   Film<> film = tiny_film();
   Tracker tracker(tiny_camera());
@@ -242,9 +251,12 @@ TEST(Input, FourChannelsSaidToBeThreeAreRefused) {
     frame.image = {bgra.data(), 160, 120, 4 * 160, format};
     EXPECT_EQ(refusal([&] { tracker.track(frame); }).rfind("frame.image: ", 0), 0u);
   }
-  const std::vector<std::uint8_t> black(bgra.size(), 0);  // nothing tells; then the stride does
-  frame.image = {black.data(), 160, 120, 4 * 160, PixelFormat::Bgr8};
-  EXPECT_EQ(refusal([&] { tracker.track(frame); }).rfind("frame.image: ", 0), 0u);
+  for (const std::uint8_t alpha : {0, 255})
+    for (const double brightest : {10.0, 255.0}) {
+      const std::vector<std::uint8_t> noise = noisy(4, brightest, alpha);
+      frame.image = {noise.data(), 160, 120, 4 * 160, PixelFormat::Bgr8};
+      EXPECT_EQ(refusal([&] { tracker.track(frame); }).rfind("frame.image: ", 0), 0u) << +alpha << ", " << brightest;
+    }
   frame.image = {bgra.data(), 160, 120, 4 * 160, PixelFormat::Bgra8};
   EXPECT_EQ(refusal([&] { tracker.track(frame); }), "accepted");
 }
@@ -257,6 +269,13 @@ TEST(Input, ACropOfThreeChannelsIsTaken) {
     Frame frame = film.advance();
     const std::vector<std::uint8_t> bgr = coloured(film.seen().grey, 3, 4 * 160);
     frame.image = {bgr.data(), 160, 120, 4 * 160, PixelFormat::Bgr8};
+    EXPECT_EQ(refusal([&] { tracker.track(frame); }), "accepted");
+  }
+  // At night, of a white wall, and of noise nothing tells how many channels there are.
+  for (const auto& pixels : {std::vector<std::uint8_t>(std::size_t{4} * 160 * 120, 0),
+                             std::vector<std::uint8_t>(std::size_t{4} * 160 * 120, 255), noisy(3, 10), noisy(3, 255)}) {
+    Frame frame = film.advance();
+    frame.image = {pixels.data(), 160, 120, 4 * 160, PixelFormat::Bgr8};
     EXPECT_EQ(refusal([&] { tracker.track(frame); }), "accepted");
   }
 }

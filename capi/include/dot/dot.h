@@ -235,7 +235,7 @@ typedef struct dot_instance {
   int32_t x;              ///< pixels: place of the mask's top left corner in the frame
   int32_t y;              ///< pixels
   int32_t class_id;       ///< the caller's, -1 = unknown
-  float score;            ///< of the network
+  float score;            ///< of the network; of masks that show the same the highest counts
   uint32_t flags;         ///< DOT_INSTANCE_
   uint32_t reserved;      ///< 0
 } dot_instance;

@@ -11,14 +11,16 @@ enum class Suspicion : std::uint8_t {
   None,              ///< nothing; figure 0
   ImplausibleTimes,  ///< steps between frames that no camera has; the last one, seconds
   RepeatedImages,    ///< images that are those of the frame before; share of the last frames, 0 to 1
-  TooLittleDepth,    ///< share of the pixels with depth, 0 to 1, if there are too few points to track
+  TooLittleDepth,    ///< share of the pixels with depth, 0 to 1, if there are too few points to track. What lies beyond
+                     ///< `selection.max_depth` has none: in another unit that may be all
   TooLittleTexture,  ///< share of frames with too few points to track though they have depth, 0 to 1
   ImplausibleDepth,  ///< depths that no scene has, so that their unit may be wrong; the typical one, metres
   DepthOutOfStep,    ///< depth that is of another frame than the image; frames by which it is late, negative: early
   MasksCoverImage,   ///< masks that leave too few background points to track; the share that they cover, 0 to 1
   SaturatedDepth,    ///< depth that is cut off at a largest value instead of missing; share of the pixels, 0 to 1
   FixedPart,         ///< a part of the image that does not move with the scene; share of the image, 0 to 1
-  RollingShutter     ///< rows that a turning camera shows turned against each other; first to last row, radians
+  RollingShutter     ///< rows that a turning camera shows turned against each other; first to last row, radians. Wrong
+                     ///< intrinsics, and depth that is no z, look like it
 };
 
 /// Name of a suspicion, lower case with underscores; empty for None.

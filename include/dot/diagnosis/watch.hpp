@@ -34,7 +34,8 @@ class Watch {
     const double sigma = step_.measured() > 0 ? noise.prior_pixel_sigma(step_.mean_inverse_depth()) : 0;
     step_.add(frame.pyramid.levels[level], frame.depth.levels[level], static_cast<float>(kNoiseOfEnds * sigma));
     gaps_.add(!first && (seconds > max_gap || seconds < kShortestStep));
-    // Whether a driver has repeated an image is known when another one comes.
+    // Whether a driver has repeated an image is known when another one comes. A camera without noise, as a simulated
+    // one, stands for a while now and then.
     if (frame.repeats == 0) {
       for (; run_ > 0 && run_ <= FrameData::kLongestRun; --run_) repeats_.add(true);
       repeats_.add(false);
@@ -58,6 +59,7 @@ class Watch {
 
     if (gaps_.share() > 0.5) return {Suspicion::ImplausibleTimes, seconds};
     if (repeats_.share() >= kRepeats) return {Suspicion::RepeatedImages, repeats_.share()};
+    if (run_ >= Share::kFrames) return {Suspicion::RepeatedImages, 1};
     if (few_points_.share() > 0.5) {
       // Depth may come with some of the frames alone, so that this frame does not tell what the others lack.
       if (no_depth_.share() > 0.5 * few_points_.share()) return {Suspicion::TooLittleDepth, little_depth_};
@@ -86,8 +88,9 @@ class Watch {
     std::uint32_t bits = 0;
     int count = 0;
 
+    static constexpr int kFrames = 16;
+
     void add(bool value) {
-      constexpr int kFrames = 16;
       bits = (bits << 1 | (value ? 1u : 0u)) & ((1u << kFrames) - 1);
       count = std::min(count + 1, kFrames);
     }

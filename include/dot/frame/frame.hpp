@@ -22,7 +22,7 @@ struct Instance {
   int x = 0;                    ///< pixels
   int y = 0;                    ///< pixels
   std::int32_t class_id = -1;   ///< the caller's, -1 = unknown
-  float score = 1;              ///< of the network; returned in the result
+  float score = 1;              ///< of the network; of masks that show the same the highest counts
   bool always_dynamic = false;  ///< people and other non-rigid objects: always reported as moving (paper, section 3.2)
 };
 

@@ -32,11 +32,13 @@ inline std::string to_text(double value) {
 }
 
 /// Whether an image given as three-byte pixels, with a stride of four bytes per pixel, looks like four-byte pixels.
-/// Rows may have such a stride for other reasons, as in a crop of a wider image. In that case a byte is more similar to
-/// the byte three positions later, which is of the neighbouring pixel, than to the one four positions later.
+/// Then a byte is more similar to the one four positions later, which is of the neighbouring pixel, than to the one
+/// three positions later, which may be alpha. Rows may have such a stride for other reasons, as in a crop of a wider
+/// image, and black, white or noise may look the same at any distance.
 inline bool looks_like_four_channels(const ImageRef& image) {
   if (std::abs(image.stride) != std::ptrdiff_t{4} * image.width) return false;
-  constexpr int rows = 32;  // that are tested
+  constexpr int rows = 32;          // that are tested
+  constexpr double kClearly = 0.8;  // of noise both sums are the same; with alpha this is about .6
   std::int64_t three_on = 0, four_on = 0;
   for (int i = 0; i < std::min(rows, image.height); ++i) {
     const int y = static_cast<int>(std::int64_t{i} * image.height / std::min(rows, image.height));
@@ -46,7 +48,7 @@ inline bool looks_like_four_channels(const ImageRef& image) {
       four_on += std::abs(row[x] - row[x + 4]);
     }
   }
-  return four_on <= three_on;
+  return static_cast<double>(four_on) < kClearly * static_cast<double>(three_on);
 }
 
 /// Checks a view: present, one of `formats`, aligned, rows that fit the stride, and of the size width x height (0:

@@ -87,7 +87,9 @@ class Observations {
   }
 
   /// Adds the instances of a frame's segmentation, in whichever form it is given. Pixels that several masks of a list
-  /// share go to the object whose depth they have. Call `count` with the same masks before.
+  /// share go to the object whose depth they have. Where the depth does not tell, they go to the mask that lies inside
+  /// the other, unless that has the lower score, and of two masks of one object to that of the higher score. A mask
+  /// that loses nearly all in this way is dropped. Call `count` with the same masks before.
   template <typename Camera, typename Noise>
   void read(const Masks& masks, const Image<float>& inverse_depth, const Camera& camera, const Noise& noise) {
     if (masks.ids.data != nullptr) {
@@ -114,18 +116,30 @@ class Observations {
     }
     list.drop_if([](const Observation& o) { return o.mask.empty(); });
     for (Observation& o : list) o.centre = centre_of(o.mask, inverse_depth, camera, values_);
-    if (masks.ids.data == nullptr && separate_all(inverse_depth, noise))  // an id image has one id for each pixel
-      for (Observation& o : list) o.centre = centre_of(o.mask, inverse_depth, camera, values_);
+    if (masks.ids.data != nullptr || !separate_all(inverse_depth, noise)) return;  // an id image has one id a pixel
+    list.drop_if([](const Observation& o) { return o.mask.empty(); });
+    for (Observation& o : list) o.centre = centre_of(o.mask, inverse_depth, camera, values_);
   }
 
  private:
   template <typename Noise>
   bool separate_all(const Image<float>& inverse_depth, const Noise& noise) {
     bool changed = false;
+    given_.clear();
+    for (const Observation& o : list) given_.push_back({o.mask.area, false});
     for (std::size_t i = 0; i < list.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        changed |= separate(inverse_depth, noise, static_cast<float>(list[i].inverse_depth()),
-                            static_cast<float>(list[j].inverse_depth()), list[i].mask, list[j].mask, scratch_);
+      for (std::size_t j = 0; j < i; ++j) {
+        Observation &a = list[i], &b = list[j];
+        const bool one = a.score != b.score && are_of_one(a.mask, b.mask);
+        const bool a_loses = a.score <= b.score && (one || is_around(a.mask, given_[i].area, b.mask));
+        const bool b_loses = b.score <= a.score && (one || is_around(b.mask, given_[j].area, a.mask));
+        if (a_loses || b_loses) given_[a_loses ? i : j].has_lost = true;
+        const Mask* loser = a_loses ? &a.mask : b_loses ? &b.mask : nullptr;
+        changed |= separate(inverse_depth, noise, static_cast<float>(a.inverse_depth()),
+                            static_cast<float>(b.inverse_depth()), a.mask, b.mask, loser, scratch_);
+      }
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (given_[i].has_lost && list[i].mask.area < kLeast * given_[i].area) list[i].mask.clear();
     return changed;
   }
 
@@ -136,11 +150,19 @@ class Observations {
     return area;
   }
 
+  /// A mask as the network gave it.
+  struct Given {
+    int area;
+    bool has_lost;  ///< to others, though not by depth
+  };
+
   static constexpr double kMostBoxes = 32;  ///< largest total area of all boxes, in image areas
+  static constexpr double kLeast = 0.3;     ///< share that must be left of a mask that lost, else it shows nothing new
 
   IdRuns runs_;
   Mask scratch_;
   std::vector<float> values_;
+  std::vector<Given> given_;
 };
 
 DOT_END_NAMESPACE

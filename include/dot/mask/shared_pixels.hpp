@@ -12,20 +12,34 @@
 
 DOT_BEGIN_NAMESPACE
 
+/// Whether a mask lies around another, as one about a group of things or about the whole image does.
+/// @param area of the outer one, pixels, before others took any.
+inline bool is_around(const Mask& outer, int area, const Mask& inner) {
+  constexpr double kInside = 0.9, kLarger = 1.5;  // shares of the inner one; two masks of one object differ by less
+  return area >= kLarger * inner.area && overlap(outer, inner) >= kInside * inner.area;
+}
+
+/// Whether two masks are so alike that they are of one object.
+inline bool are_of_one(const Mask& a, const Mask& b) {
+  constexpr double kAlike = 0.75;  // IoU
+  const int both = overlap(a, b);
+  return both >= kAlike * (a.area + b.area - both);
+}
+
 /// Gives pixels that are set in two masks to the object whose depth they have: boxes of a detector, and masks of a
-/// coarse network, show parts of their neighbours. Where that is not clear, both keep them, so two masks of one object
-/// stay as they are. A mask does not become empty, because its own median stays in it.
+/// coarse network, show parts of their neighbours. Where that is not clear, `loser` gives them up. Without one both
+/// keep them. By depth alone a mask does not become empty, because its own median stays in it.
 /// @param inverse_depth 1/m, of the frame; 0: not measured. @param q_a, q_b medians over the masks, 1/m; 0: not known.
-/// @param noise pixel_sigma(q) of an inverse depth, 1/m.
+/// @param noise pixel_sigma(q) of an inverse depth, 1/m. @param loser `a`, `b` or null.
 /// @return whether a mask has changed. Its crop is tight again.
 template <typename Noise>
 bool separate(const Image<float>& inverse_depth, const Noise& noise, float q_a, float q_b, Mask& a, Mask& b,
-              Mask& scratch) {
+              const Mask* loser, Mask& scratch) {
   constexpr float kSigmas = 4, kSameDepth = 0.05f;  // the latter relative: depths of one object differ by so much
-  if (!(q_a > 0) || !(q_b > 0)) return false;
   const float nearer = std::max(q_a, q_b);
   const float doubt = kSigmas * static_cast<float>(noise.pixel_sigma(nearer)) + kSameDepth * nearer;
-  if (std::abs(q_a - q_b) <= doubt) return false;  // then no pixel is nearer to one of them by more than that
+  const bool apart = q_a > 0 && q_b > 0 && std::abs(q_a - q_b) > doubt;  // else no pixel is nearer by more than that
+  if (!apart && !loser) return false;
   const int left = std::max(a.x, b.x), right = std::min(a.x + a.width(), b.x + b.width());
   const int top = std::max(a.y, b.y), bottom = std::min(a.y + a.height(), b.y + b.height());
   bool changed_a = false, changed_b = false;
@@ -33,10 +47,13 @@ bool separate(const Image<float>& inverse_depth, const Noise& noise, float q_a, 
     for (int u = left; u < right; ++u) {
       std::uint8_t &in_a = a.pixels(u - a.x, v - a.y), &in_b = b.pixels(u - b.x, v - b.y);
       const float q = inverse_depth(u, v);
-      if (!in_a || !in_b || !(q > 0)) continue;
+      if (!in_a || !in_b) continue;
       const float to_a = std::abs(q - q_a), to_b = std::abs(q - q_b);
-      if (to_b + doubt < to_a) in_a = 0, changed_a = true;
-      if (to_a + doubt < to_b) in_b = 0, changed_b = true;
+      const bool told = apart && q > 0, is_a = told && to_a + doubt < to_b, is_b = told && to_b + doubt < to_a;
+      if (is_b || (loser == &a && !is_a))
+        in_a = 0, changed_a = true;
+      else if (is_a || loser == &b)
+        in_b = 0, changed_b = true;
     }
   const auto tighten = [&scratch](Mask& mask) {
     fill_mask(

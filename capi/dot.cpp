@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "dot/diagnosis/message.hpp"
 #include "dot/pipeline/exclusion.hpp"
 #include "dot/tracker.hpp"
 #include "dot/version.hpp"
@@ -62,6 +63,8 @@ struct dot_tracker {
   dot_log_function log = nullptr;
   void* log_user = nullptr;
   std::uint32_t camera_status = DOT_CAMERA_FIRST_FRAME;
+  dot::DiagnosisNews news;
+  bool diagnosis_is_new = false;  // of the last frame: it was not looked at yet
   std::atomic_flag busy = ATOMIC_FLAG_INIT;
 };
 
@@ -117,6 +120,15 @@ class Use {
   bool granted_;
 };
 
+/// Forgets what was said of the frames so far, with these frames.
+void forget(dot_tracker& tracker) noexcept {
+  tracker.result = nullptr;
+  tracker.camera_status = DOT_CAMERA_FIRST_FRAME;
+  tracker.news.clear();
+  tracker.diagnosis_is_new = false;
+  tracker.tracker.reset();
+}
+
 /// The same for a call on a tracker. An interrupted call leaves an undefined state, so the tracker is reset.
 template <typename Body>
 dot_status guard(dot_tracker* tracker, Body&& body) noexcept {
@@ -125,8 +137,7 @@ dot_status guard(dot_tracker* tracker, Body&& body) noexcept {
   if (!use.granted()) return DOT_BUSY;
   const dot_status status = guard(tracker->error, body);
   if (status == DOT_OUT_OF_MEMORY || status == DOT_INTERNAL) {
-    tracker->result = nullptr;
-    tracker->tracker.reset();
+    forget(*tracker);
   }
   if (status != DOT_OK) log(*tracker, DOT_LOG_ERROR, tracker->error.text);
   return status;
@@ -143,6 +154,18 @@ void log_camera(dot_tracker& tracker, std::uint32_t status) noexcept {
     log(tracker, DOT_LOG_WARNING, "too little depth: the camera's motion is guessed from the frames before");
   } else if (guessed(before) && !guessed(status)) {
     log(tracker, DOT_LOG_INFO, "the camera's motion is known again");
+  }
+}
+
+/// Logs a suspicion when it appears. `label` leaves the diagnosis to what comes after it, so this is called there too.
+void log_diagnosis(dot_tracker& tracker) noexcept {
+  if (!tracker.diagnosis_is_new) return;
+  tracker.diagnosis_is_new = false;
+  const dot::Diagnosis& diagnosis = tracker.result->diagnosis;
+  if (!tracker.news.add(diagnosis)) return;
+  try {
+    log(tracker, DOT_LOG_WARNING, ("suspicion " + dot::describe(diagnosis)).c_str());
+  } catch (const std::bad_alloc&) {  // the frame is tracked all the same
   }
 }
 
@@ -210,34 +233,38 @@ dot_status dot_set_log(dot_tracker* tracker, dot_log_function function, void* us
 }
 
 dot_status dot_reset(dot_tracker* tracker) noexcept {
-  return guard(tracker, [&] {
-    tracker->result = nullptr;
-    tracker->camera_status = DOT_CAMERA_FIRST_FRAME;
-    tracker->tracker.reset();
-  });
+  return guard(tracker, [&] { forget(*tracker); });
 }
 
 dot_status dot_track(dot_tracker* tracker, const dot_frame* frame) noexcept {
   return guard(tracker, [&] {
     tracker->result = &tracker->tracker.track(read_frame(frame, tracker->instances));
+    tracker->diagnosis_is_new = true;
     log_camera(*tracker, to_c(tracker->result->camera.status));
+    log_diagnosis(*tracker);
   });
 }
 
 dot_status dot_label(dot_tracker* tracker, const dot_frame* frame) noexcept {
   return guard(tracker, [&] {
     tracker->result = &tracker->tracker.label(read_frame(frame, tracker->instances));
+    tracker->diagnosis_is_new = true;
     log_camera(*tracker, to_c(tracker->result->camera.status));
   });
 }
 
 dot_status dot_prepare(dot_tracker* tracker) noexcept {
-  return guard(tracker, [&] { tracker->tracker.prepare(); });
+  return guard(tracker, [&] {
+    tracker->tracker.prepare();
+    log_diagnosis(*tracker);
+  });
 }
 
 dot_status dot_submit_masks(dot_tracker* tracker, uint64_t frame_id, const dot_masks* masks) noexcept {
-  return guard(tracker,
-               [&] { tracker->tracker.submit_masks(frame_id, read_masks(masks, "masks", tracker->instances)); });
+  return guard(tracker, [&] {
+    tracker->tracker.submit_masks(frame_id, read_masks(masks, "masks", tracker->instances));
+    log_diagnosis(*tracker);
+  });
 }
 
 dot_status dot_object_count(dot_tracker* tracker, uint32_t* count) noexcept {

@@ -144,6 +144,34 @@ static void test_log(void) {
   dot_destroy(tracker);
 }
 
+/* Times in milliseconds are told once, not with every frame; again after a reset. */
+static void test_log_of_suspicion(void) {
+  dot_tracker* tracker = make_tracker();
+  scene* s = new_scene();
+  journal j;
+  int i, in_steps;
+  memset(&j, 0, sizeof j);
+  CHECK(dot_set_log(tracker, record, &j) == DOT_OK);
+  for (in_steps = 0; in_steps < 2; ++in_steps) {
+    for (i = 0; i < 40; ++i) {
+      ++s->frame.id;
+      s->frame.timestamp += 100;
+      CHECK((in_steps ? dot_label : dot_track)(tracker, &s->frame) == DOT_OK);
+      if (in_steps) {
+        CHECK(j.count == (i > 7)); /* the labels are ready before the diagnosis */
+        CHECK(dot_prepare(tracker) == DOT_OK && dot_prepare(tracker) == DOT_OK);
+      }
+      CHECK(j.count == (i >= 7));
+    }
+    CHECK(j.level == DOT_LOG_WARNING);
+    CHECK(strstr(j.text, "suspicion implausible_times (100 s): ") == j.text && strstr(j.text, "in seconds?") != NULL);
+    j.count = 0;
+    CHECK(dot_reset(tracker) == DOT_OK);
+  }
+  free(s);
+  dot_destroy(tracker);
+}
+
 /* A log function that uses its own tracker meets the call that it was called from. */
 static void test_busy(void) {
   dot_tracker* tracker = make_tracker();
@@ -167,6 +195,7 @@ int main(void) {
   test_copies();
   test_polarity_and_share();
   test_log();
+  test_log_of_suspicion();
   test_busy();
   if (failures != 0) fprintf(stderr, "%d checks failed\n", failures);
   return failures == 0 ? 0 : 1;

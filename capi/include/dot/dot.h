@@ -124,7 +124,7 @@ enum {
   DOT_CAMERA_LOST = 4               ///< T_cur_prev is a guess likewise
 };
 
-/// What may be wrong with the input, with its figure.
+/// What may be wrong with the input, with its figure. The log has a line when one appears, see dot_set_log.
 enum {
   DOT_SUSPICION_NONE = 0,                ///< nothing; figure 0
   DOT_SUSPICION_IMPLAUSIBLE_TIMES = 1,   ///< steps between frames that no camera has; the last one, seconds
@@ -176,8 +176,8 @@ enum {
 /// Level of a log message.
 enum {
   DOT_LOG_ERROR = 1,    ///< a call failed; the text is that of dot_last_error
-  DOT_LOG_WARNING = 2,  ///< the camera's motion is only a guess from this frame on
-  DOT_LOG_INFO = 3      ///< it is known again
+  DOT_LOG_WARNING = 2,  ///< the camera's motion is only a guess from this frame on; or a suspicion appears
+  DOT_LOG_INFO = 3      ///< the camera's motion is known again
 };
 
 /// A tracker and all its memory. Made by dot_create, freed by dot_destroy. Threads that share it must lock it.

@@ -7,6 +7,8 @@
 #include <opencv2/calib3d/calib3d.hpp>
 #include <opencv2/imgcodecs/imgcodecs.hpp>
 #include <opencv2/imgproc/imgproc.hpp>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "DotExclusion.h"
@@ -88,6 +90,30 @@ void Late(const char* sequence, const cv::Mat& K) {
   Expect(!dot.Late(cv::Mat::zeros(188, 620, CV_8UC1), 0.5), "too late, or of a frame before the last segmentation");
 }
 
+// Number of lines that a recording in other units gives, if the first one is about `suspicion`.
+int Told(const char* sequence, const cv::Mat& K, double seconds, double metres, const char* suspicion) {
+  std::ostringstream said;
+  std::streambuf* const terminal = std::cerr.rdbuf(said.rdbuf());
+  DotExclusion dot;
+  for (int i = 0; i < FRAMES; i++) {
+    const cv::Mat depth = As(CV_32F, Read(cv::format("%s/depth/%06d.png", sequence, i))) * metres / 256;
+    dot.Mask(K, cv::Mat(), 0, cv::imread(cv::format("%s/rgb/%06d.png", sequence, i), 0), depth,
+             Read(cv::format("%s/masks/%06d.png", sequence, i)), seconds * i);
+  }
+  std::cerr.rdbuf(terminal);
+  std::istringstream lines(said.str());
+  std::string line;
+  int count = 0;
+  bool named = false;
+  while (std::getline(lines, line)) {
+    std::cout << line << std::endl;
+    if (line.find(" % of the image is excluded") != std::string::npos) continue;
+    named = named || line.find(std::string("dot: suspicion ") + suspicion) == 0;
+    count++;
+  }
+  return named || count == 0 ? count : -1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -138,5 +164,9 @@ int main(int argc, char** argv) {
 
   Distorted(K, gray[0], depth[0], ids[0], first);
   Late(argv[1], K);
+  Expect(Told(argv[1], K, 0.1, 1, "") == 0, "nothing is printed while all is well");
+  Expect(Told(argv[1], K, 100, 1, "implausible_times (100 s)") == 1, "times in milliseconds");
+  const int told = Told(argv[1], K, 0.1, 1000, "too_little_depth");
+  Expect(told > 0 && told < 4, "depth in millimetres");
   return failed == 0 ? 0 : 1;
 }

@@ -70,5 +70,14 @@ void rclcpp::play(const std::string& sequence) {
               masks, excluded[0] / all[0], excluded[1] / all[1], excluded[2] / all[2]);
   const bool good =
       masks == 2 * FRAMES && excluded[0] < 0.1 * all[0] && excluded[1] < 0.1 * all[1] && excluded[2] > 0.9 * all[2];
-  std::exit(good ? 0 : 1);
+
+  // Depth in floats that are millimetres by mistake.
+  topics<Image>().erase("exclusion_mask");
+  const int before = warnings();
+  for (int i = FRAMES; i < 2 * FRAMES; ++i) {
+    publish("depth", i, "32FC1", cv::Mat(188, 620, CV_32FC1, cv::Scalar(5000)));
+    publish("image", i, "bgr8", Read(cv::format("%s/rgb/%06d.png", sequence.c_str(), i - FRAMES)));
+  }
+  const int told = warnings() - before;
+  std::exit(good && told == 1 ? 0 : 1);
 }

@@ -4,6 +4,8 @@
 // mapping SEQUENCE: what reaches RTAB-Map of the sample's depth.
 
 #include <memory>
+#include <sstream>
+#include <string>
 
 #include "DotInput.h"
 #include "truth.h"
@@ -43,10 +45,20 @@ int main(int argc, char** argv) {
   std::cout << "depth kept from the ninth frame on: " << kept[0] / all[0] << " elsewhere, " << kept[1] / all[1]
             << " on parked cars, " << kept[2] / all[2] << " on movers" << std::endl;
 
+  // Times in milliseconds: one line, not one with every frame.
+  std::ostringstream said;
+  std::streambuf* const terminal = std::cerr.rdbuf(said.rdbuf());
+  const cv::Mat view = Read(cv::format("%s/rgb/000000.png", argv[1]));
+  for (int i = 0; i < 20; ++i)
+    input.take(view, cv::Mat(188, 620, CV_16UC1, cv::Scalar(3000)), cv::Mat(), 2e9 + 100 * i);
+  std::cerr.rdbuf(terminal);
+  const std::string text = said.str();
+  std::cout << text;
+  const bool told = text.find("dot: implausible_times (100 s)") == 0 && text.find('\n') + 1 == text.size();
+
   // What is wrong with one frame leaves its depth as it is, and the next one goes on.
   const cv::Mat image(188, 620, CV_8UC1, cv::Scalar(9)), depth(188, 620, CV_16UC1, cv::Scalar(3000));
   const bool survives =
-      cv::countNonZero(input.take(image, depth, cv::Mat(10, 10, CV_8UC1, cv::Scalar(1)), 1.8e9).depthRaw() != depth) ==
-      0;
-  return kept[0] > 0.9 * all[0] && kept[1] > 0.9 * all[1] && kept[2] < 0.05 * all[2] && survives ? 0 : 1;
+      cv::countNonZero(input.take(image, depth, cv::Mat(10, 10, CV_8UC1, cv::Scalar(1)), 3e9).depthRaw() != depth) == 0;
+  return kept[0] > 0.9 * all[0] && kept[1] > 0.9 * all[1] && kept[2] < 0.05 * all[2] && told && survives ? 0 : 1;
 }

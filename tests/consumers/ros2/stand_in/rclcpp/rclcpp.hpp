@@ -54,6 +54,10 @@ struct Publisher {
 };
 
 struct Logger {};
+inline int& warnings() {
+  static int count = 0;
+  return count;
+}
 
 class Node {
  public:
@@ -89,5 +93,6 @@ inline void spin(const std::shared_ptr<Node>&) { play(folder()); }
 
 }  // namespace rclcpp
 
-#define RCLCPP_WARN(logger, ...) ((void)(logger), std::printf("warning: " __VA_ARGS__), std::printf("\n"))
+#define RCLCPP_WARN(logger, ...) \
+  ((void)(logger), ++rclcpp::warnings(), std::printf("warning: " __VA_ARGS__), std::printf("\n"))
 #define RCLCPP_ERROR(logger, ...) ((void)(logger), std::printf("error: " __VA_ARGS__), std::printf("\n"))

@@ -56,7 +56,8 @@ def test_making(field, arguments, text):
 
 
 @pytest.mark.parametrize("field, changes, text", [
-    ("timestamp", {"timestamp": 0.1}, "must be greater than the last frame's"),
+    ("timestamp", {"timestamp": 0.0625}, "is 0.0625 s, must be greater than the last frame's, 0.1 s, by"),
+    ("timestamp", {"timestamp": 0.1}, "call reset() first"),
     ("timestamp", {"timestamp": float("nan")}, "must be finite"),
     ("timestamp", {"timestamp": "now"}, "must be a number"),
     ("timestamp", {"timestamp": None}, "must be a number"),

@@ -56,7 +56,7 @@ def write(name, image):
     (lambda folder: shutil.copy(folder / "rgb/000001.png", folder / "rgb/1.png"), "the same frame as"),
     (lambda folder: (folder / "times.txt").write_text("0\n0.1\n"), "times.txt: has 2 times for 4 images"),
     (lambda folder: (folder / "times.txt").write_text("0\n0.1\nsoon\n1"), "times.txt:3: the time is 'soon'"),
-    (lambda folder: (folder / "times.txt").write_text("0\n0.2\n0.1\n1"), "frame 2: timestamp: must be greater"),
+    (lambda folder: (folder / "times.txt").write_text("0\n0.2\n0.1\n1"), "frame 2: timestamp: is 0.1 s, must be greater"),
     (lambda folder: (folder / "masks/000000.csv").write_text("id,class\nseven,car"), "000000.csv:2: id is 'seven'"),
     (lambda folder: (folder / "masks/000000.csv").write_text("1"), "000000.csv:1: must be id,class,score"),
     (lambda folder: (folder / "masks/000000.csv").mkdir(), "000000.csv: cannot be read"),

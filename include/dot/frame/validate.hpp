@@ -31,6 +31,13 @@ inline std::string to_text(double value) {
   return text;
 }
 
+/// Formats a time in seconds for a message: a Unix clock with its microseconds.
+inline std::string time_text(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.16g", seconds);
+  return text;
+}
+
 /// Whether an image given as three-byte pixels, with a stride of four bytes per pixel, looks like four-byte pixels.
 /// Then a byte is more similar to the one four positions later, which is of the neighbouring pixel, than to the one
 /// three positions later, which may be alpha. Rows may have such a stride for other reasons, as in a crop of a wider
@@ -151,8 +158,9 @@ inline void validate(const Frame& frame, int width, int height, bool has_previou
   if (!std::isfinite(frame.timestamp)) bad_field("frame.timestamp", "must be finite");
   constexpr double shortest = 1e-7;  // seconds; velocities are finite with it
   if (has_previous && !(frame.timestamp - previous_timestamp >= shortest))
-    bad_field("frame.timestamp", "must be greater than the last frame's (" + std::to_string(previous_timestamp) +
-                                     " s), by 1e-7 s at least");
+    bad_field("frame.timestamp", "is " + time_text(frame.timestamp) + " s, must be greater than the last frame's, " +
+                                     time_text(previous_timestamp) +
+                                     " s, by 1e-7 s at least; where time starts again, call reset() first");
   if (frame.masks) validate("frame.masks", *frame.masks, width, height);
   if (frame.camera_prior) validate("frame.camera_prior", *frame.camera_prior);
   if (frame.camera_motion) {

@@ -30,9 +30,13 @@ slid = np.s_[100:150, 170 + 4 * 9 + 20:170 + 4 * 9 + 60]
 assert (excluded[slid] == 255).all() and (allowed[slid] == 0).all()
 assert (excluded[100:150, 60:100] == 0).all() and (excluded[:60] == 0).all()
 assert sorted(exclusion.states().values()) == [State.STATIC, State.MOVING]
-assert (exclusion.mask(1.7e9, image, depth) == 0).all()  # a frame that came before
+assert (exclusion.mask(1.7e9 + 0.9, image, depth) == 0).all()  # the same frame again
 assert (exclusion.mask(1.7e9 + 1, image, depth[:9]) == 0).all()
 assert (exclusion.mask(1.7e9 + 1, image[:, :, ::-1], depth, ids)[slid] == 255).all()
+assert (exclusion.mask(1.7e9 - 3600, image, depth, ids)[slid] == 255).all()  # a clock that was set back by an hour
+assert (exclusion.mask(1.7e9 - 3600 + 0.1, image, depth, ids)[slid] == 255).all()
+nothing_yet = Exclusion(CAMERA)
+assert (nothing_yet.mask(1.7e9, image[:9], depth) == 0).all() and nothing_yet.states() == {}
 
 
 def recorded_at_leisure():

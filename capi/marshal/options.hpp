@@ -47,6 +47,13 @@ struct Setter {
   }
 };
 
+/// What to add for a name that is no setting because dot_options has a field for it: the value is one of a list.
+inline std::string hint(const std::string& name) {
+  if (name == "classifier") return "; set options.classifier instead";
+  if (name == "depth_source" || name == "depth_noise.source") return "; set options.depth_source instead";
+  return "";
+}
+
 inline dot::Options read_options(const dot_options* in) {
   dot::Options out;
   if (in == nullptr) return out;
@@ -82,7 +89,7 @@ inline dot::Options read_options(const dot_options* in) {
     if (!std::isfinite(setter.setting.value))
       invalid(setter.field + ".value (" + setter.setting.name + ") must be finite");
     dot::for_each_option(out, setter);
-    if (!setter.found) invalid(setter.field + ".name is unknown: " + setter.setting.name);
+    if (!setter.found) invalid(setter.field + ".name is unknown: " + setter.setting.name + hint(setter.setting.name));
   }
   return out;
 }

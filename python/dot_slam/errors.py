@@ -66,7 +66,9 @@ def _invalid_argument(text: str) -> InvalidArgument:
     if setting:
         name, unknown = setting.groups()
         if unknown is not None:
-            return InvalidArgument(unknown, f"options: there is no setting {unknown!r}")
+            unknown, _, field = unknown.partition("; set options.")  # one that the C library has as a field
+            hint = f": use the argument {field.split()[0]}= of Tracker" if field else ""
+            return InvalidArgument(unknown, f"options: there is no setting {unknown!r}{hint}")
         return InvalidArgument(name, f"options: {name}{text[setting.end():]}")
     field = _FIELD.match(text)
     if not field:

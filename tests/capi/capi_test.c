@@ -77,6 +77,10 @@ static void test_create_errors(void) {
   CHECK_SETTING(NULL, 1, "settings[1].name is NULL");
   CHECK_SETTING("velocity.nonsense", 1, "velocity.nonsense");
   CHECK_SETTING("", 1, "settings[1].name");
+  CHECK_SETTING("velocity.nonsense", 1, "settings[1].name is unknown: velocity.nonsense");
+  CHECK_SETTING("depth_noise.source", 1, "unknown: depth_noise.source; set options.depth_source instead");
+  CHECK_SETTING("depth_source", 1, "set options.depth_source instead");
+  CHECK_SETTING("classifier", 1, "set options.classifier instead");
   CHECK_SETTING("align.max_levels", 2.5, "align.max_levels");
   CHECK_SETTING("motion_prior.ground_vehicle", 2, "motion_prior.ground_vehicle");
   CHECK_SETTING("velocity.decide", INFINITY, "velocity.decide");

@@ -41,7 +41,7 @@ REVISION_DTYPE = np.dtype(
      ("covariance", "f8", (6, 6))], align=True)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class CameraResult:
     """The camera's motion over the last interval."""
 
@@ -63,8 +63,12 @@ class CameraResult:
     suspicion: Suspicion  # what may be wrong with the last frames' images, depth and times
     suspicion_figure: float  # its size; see Suspicion
 
+    def __repr__(self) -> str:
+        return (f"<CameraResult of frame {self.frame_id}: {self.status.name}, {self.n_inliers} of {self.n_points} "
+                f"points{_suspected(self)}>")
 
-@dataclass(frozen=True, eq=False)
+
+@dataclass(frozen=True, eq=False, repr=False)
 class CameraRevision:
     """An earlier motion of the camera that was wrong, and the right one. Who has used it should use this instead."""
 
@@ -73,8 +77,11 @@ class CameraRevision:
     T_cur_prev: Floats  # (3, 4), from the frame before that one to it: replaces what was reported then
     covariance: Floats  # (6, 6), of its left twist, metres and radians
 
+    def __repr__(self) -> str:
+        return f"<CameraRevision of frame {self.frame_id}>"
 
-@dataclass(frozen=True, eq=False)
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Object:
     """One object in one frame."""
 
@@ -117,6 +124,14 @@ class Object:
     point_speed: float  # m/s, of the object's points, turning included: root of the mean square
     point_speed_sigma: float  # m/s, of the points' velocities: root of the mean trace of their covariances
 
+    def __repr__(self) -> str:
+        fit = f"{self.speed:.2f} m/s" if self.reason == Reason.NONE else f"no motion: {self.reason.name}"
+        return f"<Object {self.id}: {self.state.name}, P(moving) {self.p_moving:.2f}, {fit}, {self.area} pixels>"
+
+
+def _suspected(camera: CameraResult) -> str:
+    return f", suspicion {camera.suspicion.name} ({camera.suspicion_figure:.3g})" if camera.suspicion else ""
+
 
 _FLAGS = {"segmented": c.OBJECT_SEGMENTED, "always_dynamic": c.OBJECT_ALWAYS_DYNAMIC,
           "discovered": c.OBJECT_DISCOVERED}
@@ -140,7 +155,7 @@ def _from_row(kind: Type[_T], row: np.void) -> _T:
     return kind(**{field.name: convert(field.name) for field in fields(kind)})
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Result:
     """Of one frame. All arrays are copies: the caller's to keep and to change, whatever becomes of the tracker."""
 
@@ -171,6 +186,14 @@ class Result:
     @property
     def timestamp(self) -> float:
         return float(self._camera["timestamp"][0])
+
+    def __repr__(self) -> str:
+        """In a line: the arrays would fill pages. Counts the objects that have pixels in this frame."""
+        states = self.table["state"][self.table["area"] > 0].tolist()
+        counts = ", ".join(f"{states.count(state)} {state.name.lower().replace('_', ' ')}"
+                           for state in (State.MOVING, State.STATIC, State.NOT_OBSERVABLE))
+        return (f"<Result of frame {self.frame_id} at {self.timestamp:.16g} s: camera {self.camera.status.name}, "
+                f"objects {counts}{_suspected(self.camera)}>")
 
     def find(self, id: int) -> Object | None:
         """The object with this track id."""

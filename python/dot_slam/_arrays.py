@@ -27,8 +27,9 @@ def as_array(value: Any, field: str) -> Array:
         raise invalid(field, "is None")
     try:
         return np.asarray(value)
-    except (TypeError, ValueError) as error:  # rows of different lengths
-        raise invalid(field, f"is no array: {error}") from None
+    except (TypeError, ValueError) as error:
+        what = "its rows differ in length" if "inhomogeneous" in str(error) else error
+        raise invalid(field, f"is no array: {what}") from None
 
 
 def _describe(array: Array) -> str:

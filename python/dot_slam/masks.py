@@ -15,7 +15,7 @@ import numpy.typing as npt
 from . import _arrays
 from . import _library as c
 from ._numbers import in_range, whole
-from .errors import invalid
+from .errors import InvalidArgument, invalid
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,10 +87,35 @@ def _as_masks(masks: MasksLike, shape: _arrays.Shape) -> Masks:
         return masks
     if isinstance(masks, (list, tuple)) and all(isinstance(item, Instance) for item in masks):
         return Masks(instances=masks)
-    array = _arrays.as_array(masks, "masks")
+    array = _as_array(masks)
+    if array.ndim == 3 and array.dtype != np.bool_:
+        how = ""
+        if array.shape[1:] == shape:
+            how = "; masks of single instances are bool: " + ("masks > 0.5" if array.dtype.kind == "f" else
+                                                              "masks.astype(bool)")
+        elif array.shape[:2] == shape:
+            how = "; an id image has one channel: masks[:, :, 0]"
+        raise invalid("masks", f"is {array.dtype} of shape {array.shape}, must be integer ids of shape (h, w), or bool "
+                               f"of shape (n, h, w){how}")
     if array.dtype != np.bool_:
         return Masks(ids=_arrays.id_view(array, shape, "masks")[0])
     if array.ndim != 3 or array.shape[1:] != shape:
         raise invalid("masks", f"is bool of shape {array.shape}, must be (n, {shape[0]}, {shape[1]}): a mask for each "
                                "instance")
     return Masks(instances=[Instance(i + 1, mask) for i, mask in enumerate(array)])
+
+
+def _as_array(masks: Any) -> _arrays.Array:
+    """What numpy makes no array of numbers of was mostly meant as a list of Instance."""
+    try:
+        array = _arrays.as_array(masks, "masks")
+        if array.dtype != np.object_:
+            return array
+    except InvalidArgument as error:
+        if "differ in length" not in str(error):
+            raise
+    what = f"it is {type(masks).__name__}"
+    if isinstance(masks, (list, tuple)):
+        what = next(f"masks[{i}] is {type(item).__name__}" for i, item in enumerate(masks)
+                    if not isinstance(item, Instance))
+    raise invalid("masks", f"is no array of one shape, nor a list of dot_slam.Instance, as Instance(1, mask): {what}")

@@ -62,11 +62,24 @@ class MaskViews:
             self._instances = (c.Instance * len(masks.instances))()
             for i, instance in enumerate(masks.instances):
                 self._instances[i] = self._convert(instance, f"masks.instances[{i}]")
+            self._check_places(shape)
             self.struct.instances = self._instances
 
     def _keep(self, view: _arrays.ViewOf) -> Any:
         self._kept.append(view)
         return ctypes.pointer(view[1])
+
+    def _check_places(self, shape: _arrays.Shape) -> None:
+        """Masks of a network's own resolution would all lie in the upper left corner."""
+        height, width = shape
+        if any(item.x or item.y or not item.mask for item in self._instances):
+            return
+        sizes = {(item.mask.contents.height, item.mask.contents.width) for item in self._instances}
+        h, w = next(iter(sizes))
+        several = len(self._instances) > 1  # one alone may be a thing in that corner
+        if len(sizes) == 1 and 0 < h < height and 0 < w < width and (several or w * height == h * width):
+            raise invalid("masks.instances", f"have masks of shape {(h, w)} at x = y = 0, the frame is {shape}: resize "
+                                             "them to the frame, or say by x and y where in the frame they lie")
 
     def _convert(self, instance: Instance, name: str) -> c.Instance:
         if not isinstance(instance, Instance):

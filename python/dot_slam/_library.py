@@ -105,14 +105,24 @@ def _text(version: int) -> str:
     return f"{version // 1000000}.{version // 1000 % 1000}.{version % 1000}"
 
 
+def _advice(error: str) -> str:
+    """What to do about a library that the dynamic linker does not find: which one it is comes first in its text."""
+    if "cannot open shared object file" not in error:
+        return ""
+    if error.startswith(_FILE):
+        return (f". It is neither beside the package nor where the system looks for libraries: install the package with "
+                f"pip, or add the folder of {_FILE} to LD_LIBRARY_PATH")
+    return (". The C library is there, but it needs that one: install OpenCV's core and imgproc, of the version that it "
+            "was built with, and the C++ runtime")
+
+
 def _load() -> ctypes.CDLL:
     """The library beside this file, where a wheel has it; else the one that the dynamic linker finds."""
     bundled = Path(__file__).with_name(_FILE)
     try:
         library = ctypes.CDLL(str(bundled) if bundled.exists() else _FILE)
     except OSError as error:
-        raise ImportError(f"dot_slam cannot load its C library: {error}. It needs OpenCV's core and imgproc, of the "
-                          "version that it was built with") from error
+        raise ImportError(f"dot_slam cannot load its C library: {error}{_advice(str(error))}") from error
     for name, (result, arguments) in FUNCTIONS.items():
         function = getattr(library, name, None)
         if function is None:

@@ -42,12 +42,27 @@ def test_another_library(monkeypatch, found, text):
         _library._load()
 
 
-def test_missing_opencv(monkeypatch):
+@pytest.mark.parametrize("said, text", [
+    ("libopencv_core.so.999: cannot open shared object file: No such file or directory",
+     "libopencv_core.so.999: .* The C library is there, but it needs that one: install OpenCV's core"),
+    ("libdot_capi.so.0: cannot open shared object file: No such file or directory",
+     "libdot_capi.so.0: .* It is neither beside the package nor .* LD_LIBRARY_PATH$"),
+    ("/x/libdot_capi.so.0: file too short", "/x/libdot_capi.so.0: file too short$"),
+])
+def test_missing_library(monkeypatch, said, text):
     def fail(path):
-        raise OSError("libopencv_core.so.999: cannot open shared object file")
+        raise OSError(said)
 
     monkeypatch.setattr(ctypes, "CDLL", fail)
-    with pytest.raises(ImportError, match="cannot load its C library: libopencv_core.so.999: .* needs OpenCV's core"):
+    with pytest.raises(ImportError, match="cannot load its C library: " + text) as caught:
+        _library._load()
+    assert ("OpenCV" in str(caught.value)) == ("opencv" in said)
+
+
+def test_missing_library_as_the_linker_says_it(monkeypatch):
+    """The text that `_advice` reads is that of this system."""
+    monkeypatch.setattr(_library, "_FILE", "libdot_capi.so.999")
+    with pytest.raises(ImportError, match="neither beside the package"):
         _library._load()
 
 

@@ -38,7 +38,8 @@ inline std::string describe(const Diagnosis& diagnosis) {
       case Suspicion::FixedPart:
         return {"of the image", "a part of the image does not move with the scene: write depth 0 there"};
       case Suspicion::RollingShutter:
-        return {"rad", "the rows of the image move differently, which is corrected in the main"};
+        return {"rad",
+                "the rows of the image move differently: a rolling shutter, or other intrinsics than the image has"};
     }
     return {"", ""};
   }();

@@ -267,6 +267,19 @@ void split_ids(const IdRuns& ids, Add&& add) {
   }
 }
 
+/// Clears the pixels of a mask that are set in another one. The crop stays as it is.
+inline void take_out(const Mask& other, Mask& from) {
+  const int left = std::max(other.x, from.x), right = std::min(other.x + other.width(), from.x + from.width());
+  const int top = std::max(other.y, from.y), bottom = std::min(other.y + other.height(), from.y + from.height());
+  for (int v = top; v < bottom; ++v)
+    for (int u = left; u < right; ++u) {
+      std::uint8_t& pixel = from.pixels(u - from.x, v - from.y);
+      if (pixel == 0 || other.pixels(u - other.x, v - other.y) == 0) continue;
+      pixel = 0;
+      --from.area;
+    }
+}
+
 /// Number of pixels that are set in both masks.
 inline int overlap(const Mask& a, const Mask& b) {
   const int left = std::max(a.x, b.x), right = std::min(a.x + a.width(), b.x + b.width());

@@ -116,32 +116,46 @@ class Observations {
     }
     list.drop_if([](const Observation& o) { return o.mask.empty(); });
     for (Observation& o : list) o.centre = centre_of(o.mask, inverse_depth, camera, values_);
-    if (masks.ids.data != nullptr || !separate_all(inverse_depth, noise)) return;  // an id image has one id a pixel
+    if (masks.ids.data != nullptr) return;  // an id image has one id for each pixel
+    drop_covered();
+    if (!separate_all(inverse_depth, noise)) return;
     list.drop_if([](const Observation& o) { return o.mask.empty(); });
     for (Observation& o : list) o.centre = centre_of(o.mask, inverse_depth, camera, values_);
   }
 
  private:
+  /// Drops masks that show little besides what those show to which they give way.
+  void drop_covered() {
+    left_.clear();
+    for (const Observation& o : list) {
+      Mask* left = nullptr;
+      for (const Observation& other : list) {
+        if (&other == &o || !gives_way(claim_of(o), claim_of(other))) continue;
+        if (!left) left = &(scratch_ = o.mask);
+        take_out(other.mask, *left);
+      }
+      left_.push_back(left ? left->area : o.mask.area);
+    }
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (left_[i] < kLeast * list[i].mask.area) list[i].mask.clear();
+    list.drop_if([](const Observation& o) { return o.mask.empty(); });
+  }
+
   template <typename Noise>
   bool separate_all(const Image<float>& inverse_depth, const Noise& noise) {
     bool changed = false;
-    given_.clear();
-    for (const Observation& o : list) given_.push_back({o.mask.area, false});
     for (std::size_t i = 0; i < list.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         Observation &a = list[i], &b = list[j];
-        const bool one = a.score != b.score && are_of_one(a.mask, b.mask);
-        const bool a_loses = a.score <= b.score && (one || is_around(a.mask, given_[i].area, b.mask));
-        const bool b_loses = b.score <= a.score && (one || is_around(b.mask, given_[j].area, a.mask));
-        if (a_loses || b_loses) given_[a_loses ? i : j].has_lost = true;
+        const bool a_loses = gives_way(claim_of(a), claim_of(b)), b_loses = gives_way(claim_of(b), claim_of(a));
         const Mask* loser = a_loses ? &a.mask : b_loses ? &b.mask : nullptr;
         changed |= separate(inverse_depth, noise, static_cast<float>(a.inverse_depth()),
                             static_cast<float>(b.inverse_depth()), a.mask, b.mask, loser, scratch_);
       }
-    for (std::size_t i = 0; i < list.size(); ++i)
-      if (given_[i].has_lost && list[i].mask.area < kLeast * given_[i].area) list[i].mask.clear();
     return changed;
   }
+
+  static Claim claim_of(const Observation& o) { return {o.mask, o.score}; }
 
   static double area_of_images(const Span<Instance>& instances) {
     double area = 0;
@@ -150,19 +164,13 @@ class Observations {
     return area;
   }
 
-  /// A mask as the network gave it.
-  struct Given {
-    int area;
-    bool has_lost;  ///< to others, though not by depth
-  };
-
   static constexpr double kMostBoxes = 32;  ///< largest total area of all boxes, in image areas
-  static constexpr double kLeast = 0.3;     ///< share that must be left of a mask that lost, else it shows nothing new
+  static constexpr double kLeast = 0.5;     ///< share of a mask that the others must leave, else it shows nothing new
 
   IdRuns runs_;
   Mask scratch_;
   std::vector<float> values_;
-  std::vector<Given> given_;
+  std::vector<int> left_;  ///< pixels of each mask that those to which it gives way do not show
 };
 
 DOT_END_NAMESPACE

@@ -12,18 +12,23 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Whether a mask lies around another, as one about a group of things or about the whole image does.
-/// @param area of the outer one, pixels, before others took any.
-inline bool is_around(const Mask& outer, int area, const Mask& inner) {
-  constexpr double kInside = 0.9, kLarger = 1.5;  // shares of the inner one; two masks of one object differ by less
-  return area >= kLarger * inner.area && overlap(outer, inner) >= kInside * inner.area;
-}
+/// A mask and how sure the network is of it.
+struct Claim {
+  const Mask& mask;
+  float score;
+};
 
-/// Whether two masks are so alike that they are of one object.
-inline bool are_of_one(const Mask& a, const Mask& b) {
-  constexpr double kAlike = 0.75;  // IoU
-  const int both = overlap(a, b);
-  return both >= kAlike * (a.area + b.area - both);
+/// Whether a mask gives pixels up to another where their depth does not tell whose they are. It lies around the other,
+/// as one about a group of things or about the whole image does, or both are of one object and it is less sure.
+inline bool gives_way(const Claim& claim, const Claim& other) {
+  constexpr double kOfOne = 0.75;  // IoU of masks of one object
+  constexpr double kInside = 0.9;  // of the other one's area
+  constexpr double kAround = 1.5;  // of the other one's area, of masks that are as sure
+  if (claim.score > other.score) return false;
+  const bool less_sure = claim.score < other.score;
+  if (less_sure && iou(claim.mask, other.mask) >= kOfOne) return true;
+  return claim.mask.area >= (less_sure ? 1 : kAround) * other.mask.area &&
+         overlap(claim.mask, other.mask) >= kInside * other.mask.area;
 }
 
 /// Gives pixels that are set in two masks to the object whose depth they have: boxes of a detector, and masks of a

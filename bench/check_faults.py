@@ -49,6 +49,7 @@ TRIALS = {
     "masks-late": ("masks-lag", ["1", "2", "-1"], same),
     "masks-size": ("masks-size", ["50", "75", "200"], same),
     "masks-values": ("masks-values", ["classes", "binary", "probabilities"], lambda s, c: None),
+    "background": ("masks-cover", ["10", "50", "100"], lambda s, c: None),
     "masks-missing": ("masks-missing", ["20", "40", "60"], missing),
     "time-unit": ("time-unit", ["ms", "us", "ns"], lambda s, c: {"ms": 1e3, "us": 1e6, "ns": 1e9}[s]),
     "dropped": ("frames-dropped", ["1", "2", "4"], lambda s, c: 3 * int(s)),

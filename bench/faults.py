@@ -154,6 +154,12 @@ def masks_values(s, size):
     s.change["masks"] = change
 
 
+def background(s, size):
+    """the background is an instance, too, in so many per cent of the frames"""
+    every = 100 / float(size)
+    s.change["masks"] = lambda m, i: np.where((m == 0) & (i % every < 1), 255, m).astype(m.dtype)
+
+
 def masks_missing(s, size):
     """so many per cent of all masks are missing, chosen at random"""
     shown = [(i, value) for i in range(len(s.frames)) for value in np.unique(s.read("masks", i)) if value]
@@ -274,7 +280,7 @@ def hood(s, size):
 
 FAULTS = {
     "depth-unit": depth_unit, "depth-late": depth_late, "depth-offset": depth_offset, "focal": focal,
-    "baseline": baseline, "rows": rows, "bias": bias, "masks-late": masks_late, "masks-size": masks_size,
+    "baseline": baseline, "background": background, "rows": rows, "bias": bias, "masks-late": masks_late, "masks-size": masks_size,
     "masks-values": masks_values, "masks-missing": masks_missing, "time-unit": time_unit, "dropped": dropped,
     "dropped-silently": dropped_silently, "twice": twice, "depth-twice": depth_twice, "exposure": exposure, "blur": blur, "bands": bands,
     "depth-sparse": depth_sparse, "depth-saturated": depth_saturated, "texture": texture, "hood": hood,

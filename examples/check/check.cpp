@@ -10,10 +10,11 @@
 namespace check {
 namespace {
 
-/// Faults before what is fine before what is not known.
+/// Faults before hints before what is fine before what is not known.
 int rank(Verdict verdict) {
   if (verdict == Verdict::Fault) return 0;
-  return verdict == Verdict::Fine ? 1 : 2;
+  if (verdict == Verdict::Hint) return 1;
+  return verdict == Verdict::Fine ? 2 : 3;
 }
 
 /// Two measures of one thing count as one: what is certain before what is not.
@@ -30,9 +31,9 @@ void merge(Findings& all, Findings more) {
 
 }  // namespace
 
-std::size_t Report::faults() const {
+std::size_t Report::count(Verdict verdict) const {
   return static_cast<std::size_t>(
-      std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.verdict == Verdict::Fault; }));
+      std::count_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.verdict == verdict; }));
 }
 
 Report check_recording(const runner::SequenceOptions& options) {
@@ -40,7 +41,7 @@ Report check_recording(const runner::SequenceOptions& options) {
   Report report{options.folder.string(), samples.recording.entries.size(), samples.frames.size(), {}};
   for (const auto measure :
        {check_clock, check_repeats, check_amounts, check_registration, check_depth_scale, check_depth_saturation,
-        check_pair, check_masks, check_missing_masks, check_exposure, check_blur, check_fixed_parts})
+        check_pair, check_masks, check_masks_cover, check_missing_masks, check_exposure, check_blur, check_fixed_parts})
     merge(report.findings, measure(samples));
   std::stable_sort(report.findings.begin(), report.findings.end(),
                    [](const Finding& a, const Finding& b) { return rank(a.verdict) < rank(b.verdict); });

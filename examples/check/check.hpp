@@ -16,7 +16,8 @@ struct Report {
   std::size_t frames = 0;  ///< of the recording
   std::size_t looked_at = 0;
   Findings findings;  ///< one of each kind, faults first
-  std::size_t faults() const;
+  std::size_t count(Verdict verdict) const;
+  std::size_t faults() const { return count(Verdict::Fault); }
 };
 
 /// Looks at a recording: whether its images, depth, masks and times are such that the tracker can work with them.

@@ -8,7 +8,8 @@
 
 namespace check {
 
-enum class Verdict : std::uint8_t { Fine, Fault, Unknown };
+/// A hint is what is seldom right, but can be: it is said like a fault, and is none.
+enum class Verdict : std::uint8_t { Fine, Fault, Hint, Unknown };
 
 /// What was measured of one property of a recording.
 struct Finding {
@@ -17,13 +18,14 @@ struct Finding {
   double figure = 0;   ///< NaN where nothing could be measured
   std::string unit;    ///< of the figure
   std::string words;   ///< what was found, a sentence
-  std::string advice;  ///< what to do about a fault
+  std::string advice;  ///< what to do about a fault or a hint
 };
 
 using Findings = std::vector<Finding>;
 
 Finding fine(std::string fault, double figure, std::string unit, std::string words);
 Finding faulty(std::string fault, double figure, std::string unit, std::string words, std::string advice);
+Finding hint(std::string fault, double figure, std::string unit, std::string words, std::string advice);
 /// @param why it could not be measured.
 Finding unknown(std::string fault, std::string why);
 

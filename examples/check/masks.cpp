@@ -48,6 +48,8 @@ int large_regions(const cv::Mat& of_value) {
   return large;
 }
 
+constexpr int countable = 40;  ///< values in a frame
+
 Values look_at(const Samples& samples) {
   Values values;
   double masked = 0, graded = 0;
@@ -68,8 +70,7 @@ Values look_at(const Samples& samples) {
       }
     }
     values.most = std::max(values.most, static_cast<int>(pixels.size()));
-    constexpr std::size_t countable = 40;
-    if (pixels.size() > countable) continue;
+    if (pixels.size() > static_cast<std::size_t>(countable)) continue;
     for (const auto& [value, count] : pixels)
       if (const int large = large_regions(ids == value)) ++shown, regions += large;
   }
@@ -92,6 +93,9 @@ Finding value_finding(const Samples& samples) {
                       text(values.most) + " values in a frame: they look like probabilities or an image, not like ids.",
                   "Threshold the probabilities of each instance, and write its number where it is the likeliest.");
   if (values.most == 0) return unknown("masks-values", "The masks are empty.");
+  if (values.regions == 0 && values.most > countable)
+    return unknown("masks-values",
+                   "Too many values in a frame, " + text(values.most) + ": their regions are not looked at.");
   const std::string said = "A value stands for " + number(values.regions, 1) + " separate regions on average, " +
                            text(values.most) + (values.most == 1 ? " value" : " values") + " in a frame at most";
   if (values.regions > most_regions)

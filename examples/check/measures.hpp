@@ -19,6 +19,7 @@ Findings check_depth_scale(const Samples& samples);       ///< depth-unit, focal
 Findings check_depth_saturation(const Samples& samples);  ///< depth-saturated
 Findings check_pair(const Samples& samples);              ///< pair-rows, focal-baseline, disparity-bias
 Findings check_masks(const Samples& samples);             ///< masks-size, masks-values, masks-lag
+Findings check_masks_cover(const Samples& samples);       ///< masks-cover
 Findings check_missing_masks(const Samples& samples);     ///< masks-missing
 Findings check_exposure(const Samples& samples);          ///< exposure-jumps, brightness-bands
 Findings check_blur(const Samples& samples);              ///< motion-blur

@@ -23,8 +23,11 @@ std::string figure(const Finding& finding) {
 }
 
 std::string verdict_text(const Report& report) {
-  if (report.faults() == 0) return "no fault found";
-  return count_text(static_cast<int>(report.faults()), "fault") + " found";
+  const auto counted = [&](Verdict verdict, const char* noun) {
+    return count_text(static_cast<int>(report.count(verdict)), noun);
+  };
+  const std::string hints = report.count(Verdict::Hint) > 0 ? ", " + counted(Verdict::Hint, "hint") : "";
+  return (report.faults() == 0 ? "no fault found" : counted(Verdict::Fault, "fault") + " found") + hints;
 }
 
 /// Lines of at most `width` characters, all after the first indented.
@@ -47,6 +50,12 @@ std::string wrapped(const std::string& words, std::size_t indent) {
 
 constexpr std::size_t name_width = 18;
 
+const char* mark(Verdict verdict) {
+  if (verdict == Verdict::Fault) return "\nFAULT  ";
+  if (verdict == Verdict::Hint) return "\nHINT   ";
+  return verdict == Verdict::Fine ? "fine   " : "?      ";
+}
+
 std::string padded(std::string name) {
   name.resize(std::max(name_width, name.size() + 1), ' ');
   return name;
@@ -59,12 +68,12 @@ std::string text_report(const Report& report) {
                     count_text(static_cast<int>(report.looked_at), "frame") + " of " +
                     text(static_cast<int>(report.frames)) + "\n";
   for (const Finding& finding : report.findings) {
-    const bool fault = finding.verdict == Verdict::Fault;
-    out += (fault ? "\nFAULT  " : finding.verdict == Verdict::Fine ? "fine   " : "?      ") + padded(finding.fault);
+    const bool advised = finding.verdict == Verdict::Fault || finding.verdict == Verdict::Hint;
+    out += mark(finding.verdict) + padded(finding.fault);
     const std::size_t indent = 7 + name_width;
-    if (fault) out += figure(finding) + "\n" + std::string(indent, ' ');
+    if (advised) out += figure(finding) + "\n" + std::string(indent, ' ');
     out += wrapped(finding.words, indent) + "\n";
-    if (fault) out += std::string(indent, ' ') + wrapped("What to do: " + finding.advice, indent) + "\n\n";
+    if (advised) out += std::string(indent, ' ') + wrapped("What to do: " + finding.advice, indent) + "\n\n";
   }
   return out;
 }
@@ -105,6 +114,7 @@ std::string json_report(const Report& report) {
                 {"frames", static_cast<long>(report.frames)},
                 {"looked_at", static_cast<long>(report.looked_at)},
                 {"faults", static_cast<long>(report.faults())},
+                {"hints", static_cast<long>(report.count(Verdict::Hint))},
                 {"findings", findings}})
       .write(out);
   out << "\n";

@@ -12,7 +12,7 @@ namespace check {
 std::string text_report(const Report& report);
 /// A page of its own.
 std::string html_report(const Report& report);
-/// One object: folder, frames, looked_at, faults, findings.
+/// One object: folder, frames, looked_at, faults, hints, findings.
 std::string json_report(const Report& report);
 
 }  // namespace check

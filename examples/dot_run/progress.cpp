@@ -98,12 +98,18 @@ std::vector<double> Summary::steady_ms() const {
 }
 
 void Summary::print_suspicions() const {
+  // The check is to look at the same parts.
+  const runner::SequenceOptions usual;
+  std::string parts;
+  if (source_.depth_dir != usual.depth_dir) parts += " --depth-dir " + source_.depth_dir;
+  if (source_.mask_dir != usual.mask_dir) parts += " --mask-dir " + source_.mask_dir;
+  if (source_.stereo) parts += " --stereo";
   for (const auto& [suspicion, frames] : suspicions_) {
     std::printf("input     %s (%.3g) in %d frames: ", dot::to_string(suspicion), figures_.at(suspicion), frames);
     if (suspicion == dot::Suspicion::RollingShutter)
       std::printf("see docs/failures.md\n");
     else
-      std::printf("look at it with dot_run %s --check\n", source_.folder.c_str());
+      std::printf("look at it with dot_run %s%s --check\n", source_.folder.c_str(), parts.c_str());
   }
 }
 

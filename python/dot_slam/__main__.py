@@ -94,7 +94,7 @@ def run(arguments: argparse.Namespace) -> None:
 def look(arguments: argparse.Namespace) -> int:
     findings = check(arguments.sequence, html=arguments.html)
     for item in findings:
-        figure = "" if item.figure is None or item.verdict != "fault" else f"{item.figure:.4g} {item.unit}: "
+        figure = "" if item.figure is None or item.verdict not in ("fault", "hint") else f"{item.figure:.4g} {item.unit}: "
         print(f"{item.verdict:14}{item.fault:18}{figure}{item.words}")
         if item.advice:
             print(f"{'':32}What to do: {item.advice}")

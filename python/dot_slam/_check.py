@@ -25,11 +25,11 @@ class Finding:
     """What was measured of one property of a recording."""
 
     fault: str  # name of what could be wrong, such as "depth-lag"; docs/check.md lists them
-    verdict: str  # "fault", "fine" or "not measured"
+    verdict: str  # "fault", "hint", "fine" or "not measured"
     figure: float | None  # None where nothing could be measured
     unit: str
     words: str
-    advice: str  # what to do about a fault
+    advice: str  # what to do about a fault or a hint
 
 
 def program() -> str:

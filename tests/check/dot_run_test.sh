@@ -33,6 +33,23 @@ expect 3 'milliseconds' "$work/seq" --check
 awk '{ printf "%.0f\n", 1e9 * (1700000000 + $1) }' "$sample/times.txt" >"$work/seq/times.txt"
 expect 3 'nanoseconds' "$work/seq" --check # which a run refuses to read
 
+# The background as an instance: a run leads to the check of the same masks, and the check names them.
+cp -r "$sample" "$work/cover"
+chmod -R u+w "$work/cover"
+{
+  read -r _ _ _ _ width height _ <"$sample/intrinsics.txt"
+  images='' annotations='' number=0
+  for image in "$sample"/rgb/*; do
+    number=$((number + 1))
+    images+=",{\"id\":$number,\"file_name\":\"${image##*/}\",\"width\":$width,\"height\":$height}"
+    annotations+=",{\"id\":$number,\"image_id\":$number,\"category_id\":1,\"segmentation\":"
+    annotations+="[[0,0,$width,0,$width,$height,0,$height]],\"iscrowd\":0}"
+  done
+  printf '{"images":[%s],"annotations":[%s],"categories":[{"id":1,"name":"all"}]}' "${images#,}" "${annotations#,}"
+} >"$work/cover/all.json"
+expect 0 "$work/cover --mask-dir all.json --check" "$work/cover" --mask-dir all.json --out "$work/out"
+expect 3 'masks-cover' "$work/cover" --mask-dir all.json --check
+
 cp -r "$sample" "$work/lens"
 chmod -R u+w "$work/lens"
 echo 'distortion radtan -0.3 0.1 0 0' >>"$work/lens/intrinsics.txt"

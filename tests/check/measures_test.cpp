@@ -275,6 +275,41 @@ TEST(CheckMasks, FindsSizeValuesAndLag) {
   expect_fault(find(check::check_masks(late), "masks-lag"), 1, 0);
 }
 
+TEST(CheckMasks, MeasuresWhatTheyCover) {
+  const Finding clean = find(check::check_masks_cover(made_samples()), "masks-cover");
+  expect_fine(clean);
+  EXPECT_NEAR(clean.figure, 100.0 * 3 * 50 * 40 / (320 * 160), 2);  // three boxes
+
+  Samples samples = made_samples();
+  samples.frames[5].ids.setTo(1);
+  EXPECT_EQ(find(check::check_masks_cover(samples), "masks-cover").verdict, Verdict::Hint);
+  samples.frames[9].ids.setTo(1);
+  EXPECT_EQ(find(check::check_masks_cover(samples), "masks-cover").verdict, Verdict::Fault);
+
+  samples = made_samples();
+  for (auto& frame : samples.frames) frame.ids.setTo(9, frame.ids == 0);  // the background
+  expect_fault(find(check::check_masks_cover(samples), "masks-cover"), 100, 0);
+
+  samples = made_samples();
+  for (auto& frame : samples.frames) frame.ids.colRange(0, 210).setTo(9);
+  EXPECT_EQ(find(check::check_masks_cover(samples), "masks-cover").verdict, Verdict::Hint);  // a lorry ahead
+  for (auto& frame : samples.frames) frame.ids.colRange(0, 290).setTo(9);
+  expect_fault(find(check::check_masks_cover(samples), "masks-cover"), 91, 2);
+  for (auto& frame : samples.frames) frame.ids.release();
+  expect_unknown(check::check_masks_cover(samples), "masks-cover");
+}
+
+TEST(CheckMasks, PiecesOfTheWholeImageAreNotCalledFine) {
+  Samples samples = made_samples();
+  for (auto& frame : samples.frames)
+    for (int y = 0; y < check_test::height; ++y)
+      for (int x = 0; x < check_test::width; ++x)
+        if (auto& id = frame.ids.at<std::uint8_t>(y, x); id == 0)
+          id = static_cast<std::uint8_t>(10 + x / 16 + 20 * (y / 16));
+  expect_unknown(check::check_masks(samples), "masks-values");
+  expect_fault(find(check::check_masks_cover(samples), "masks-cover"), 100, 0);
+}
+
 TEST(CheckMasks, CountsThingsThatLoseTheirMask) {
   Samples samples = made_samples();
   expect_fine(find(check::check_missing_masks(samples), "masks-missing"));

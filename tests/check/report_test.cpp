@@ -20,6 +20,17 @@ TEST(CheckReport, TextNamesFaultFigureAndAdvice) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
 }
 
+TEST(CheckReport, HintsAreNoFaults) {
+  check::Report hinted = report();
+  hinted.findings[0].verdict = check::Verdict::Hint;
+  EXPECT_EQ(hinted.faults(), 0u);
+  const std::string text = check::text_report(hinted);
+  for (const char* const part : {"no fault found, 1 hint", "HINT", "1 frames", "Pair them."})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+  EXPECT_NE(check::json_report(hinted).find("\"hint\""), std::string::npos);
+  EXPECT_EQ(check::text_report(report()).find("hint"), std::string::npos);
+}
+
 TEST(CheckReport, PageEscapesWhatItShows) {
   const std::string page = check::html_report(report());
   EXPECT_NE(page.find("a&lt;b"), std::string::npos);

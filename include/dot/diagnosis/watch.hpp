@@ -22,6 +22,9 @@ struct UnusedShares {
 /// Notices input that no tracker can work with. It looks at a few rows of what `track` has computed.
 class Watch {
  public:
+  /// Share of the image: with so much covered, masks are the cause of too few points.
+  static constexpr double kMasked = 0.6;
+
   /// @param noise of the depth. @param seconds since the frame before, 0 for the first. @param max_gap of the frames,
   /// seconds. @param too_few_points for the next frame's camera motion. @param shares of the image that are of no use.
   /// @param row_turn of the last row against the first, radians; 0 if that may be chance.
@@ -106,7 +109,6 @@ class Watch {
   static constexpr double kShortestStep = 5e-4;  ///< seconds
   static constexpr double kRepeats = 0.12;       ///< share of repeated images that disturbs
   static constexpr double kLittleDepth = 0.05;   ///< share of the pixels
-  static constexpr double kMasked = 0.6;         ///< share of the image: with so much covered, masks are the cause
   static constexpr double kFarthest = 150, kNearest = 0.1;  ///< metres, harmonic mean
 
   DepthStep step_;

@@ -38,12 +38,18 @@ def beyond(size, clean):
     return (100 - float(size)) * clean["depth-sparse"]["figure"] / 100
 
 
+def scaled(size, clean):
+    return clean["principal-point"]["figure"] * float(size) / 100
+
+
 # Of each fault: the name that it has in the report, the sizes to try, the true figure (None: it need only be named).
 TRIALS = {
     "depth-unit": ("depth-unit", ["mm", "5000", "cm"], lambda s, c: {"mm": 1000, "5000": 5000, "cm": 100}[s] / 256),
     "depth-late": ("depth-lag", ["1", "2", "-1"], same),
     "depth-offset": ("depth-offset", ["4", "8", "16"], lambda s, c: (int(s) ** 2 + (int(s) // 2) ** 2) ** 0.5),
     "focal": ("focal-baseline", ["3", "5", "10"], same),
+    "resolution": ("principal-point", ["25", "50", "200"], scaled),
+    "no-centre": ("principal-point", ["cx", "cy"], lambda s, c: 0),
     "rows": ("pair-rows", ["1", "2", "4"], same),
     "bias": ("disparity-bias", ["1", "2", "4"], same),
     "masks-late": ("masks-lag", ["1", "2", "-1"], same),

@@ -110,6 +110,17 @@ def focal(s, size):
         s.intrinsics[i] *= 1 + float(size) / 100
 
 
+def resolution(s, size):
+    """fx, fy, cx and cy in intrinsics.txt are those of an image of so many per cent of the size"""
+    for i in range(4):
+        s.intrinsics[i] *= float(size) / 100
+
+
+def no_centre(s, size):
+    """size: cx or cy, which is 0 in intrinsics.txt"""
+    s.intrinsics[{"cx": 2, "cy": 3}[size]] = 0
+
+
 def baseline(s, size):
     """baseline in intrinsics.txt too long by so many per cent"""
     s.intrinsics[6] *= 1 + float(size) / 100
@@ -280,7 +291,8 @@ def hood(s, size):
 
 FAULTS = {
     "depth-unit": depth_unit, "depth-late": depth_late, "depth-offset": depth_offset, "focal": focal,
-    "baseline": baseline, "background": background, "rows": rows, "bias": bias, "masks-late": masks_late, "masks-size": masks_size,
+    "baseline": baseline, "resolution": resolution, "no-centre": no_centre,
+    "background": background, "rows": rows, "bias": bias, "masks-late": masks_late, "masks-size": masks_size,
     "masks-values": masks_values, "masks-missing": masks_missing, "time-unit": time_unit, "dropped": dropped,
     "dropped-silently": dropped_silently, "twice": twice, "depth-twice": depth_twice, "exposure": exposure, "blur": blur, "bands": bands,
     "depth-sparse": depth_sparse, "depth-saturated": depth_saturated, "texture": texture, "hood": hood,

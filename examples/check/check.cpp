@@ -39,9 +39,9 @@ std::size_t Report::count(Verdict verdict) const {
 Report check_recording(const runner::SequenceOptions& options) {
   const Samples samples = read_samples(options);
   Report report{options.folder.string(), samples.recording.entries.size(), samples.frames.size(), {}};
-  for (const auto measure :
-       {check_clock, check_repeats, check_amounts, check_registration, check_depth_scale, check_depth_saturation,
-        check_pair, check_masks, check_masks_cover, check_missing_masks, check_exposure, check_blur, check_fixed_parts})
+  for (const auto measure : {check_clock, check_repeats, check_amounts, check_registration, check_principal_point,
+                             check_pair, check_depth_scale, check_depth_saturation, check_masks, check_masks_cover,
+                             check_missing_masks, check_exposure, check_blur, check_fixed_parts})
     merge(report.findings, measure(samples));
   std::stable_sort(report.findings.begin(), report.findings.end(),
                    [](const Finding& a, const Finding& b) { return rank(a.verdict) < rank(b.verdict); });

@@ -86,8 +86,9 @@ std::optional<Findings> judge(const Comb& comb, double stated) {
   constexpr double of_calibration = 0.2;  // more is no error of a calibration
   constexpr double of_unit = 0.06;
   double error = 10;  // ln of the true product over the stated one
+  double a_pixel = 0;
   const auto take = [&](double steps) {
-    if (const double e = std::log(comb.per_pixel / steps); std::abs(e) < std::abs(error)) error = e;
+    if (const double e = std::log(comb.per_pixel / steps); std::abs(e) < std::abs(error)) error = e, a_pixel = steps;
   };
   for (const double steps : steps_per_pixel) take(steps);
   if (std::abs(error) > of_calibration)
@@ -103,10 +104,12 @@ std::optional<Findings> judge(const Comb& comb, double stated) {
   }
   const Finding unit = fine("depth-unit", 1, "times too far", "The depth's steps are those of its unit.");
   const double percent = 100 * (std::exp(-error) - 1);
+  const std::string steps = a_pixel > 1 ? "1/" + number(a_pixel, 0) + " pixel" : "a pixel";
   if (std::abs(error) <= most)
-    return Findings{unit,
-                    fine("focal-baseline", percent, "%",
-                         "Focal length times baseline fits the depth within " + number(std::abs(percent), 1) + " %.")};
+    return Findings{unit, fine("focal-baseline", percent, "%",
+                               "Focal length times baseline fits steps of " + steps + " in the depth within " +
+                                   number(std::abs(percent), 1) +
+                                   " %. Two or four times as much, or a half, would fit other steps as well.")};
   return Findings{unit,
                   faulty("focal-baseline", percent, "%",
                          "Focal length times baseline is " + number(std::abs(percent), 1) + " % " +
@@ -135,7 +138,7 @@ Findings judge_plausibility(const Samples& samples) {
     return {faulty("depth-unit", median, "m", said + " That is no distance of a scene.",
                    "State the unit of the depth: how many of its values make a metre."),
             no_product};
-  return {fine("depth-unit", median, "m", said + " Its unit was not measured: the depth shows no steps."), no_product};
+  return {unknown("depth-unit", said + " The depth shows no steps that would tell its unit."), no_product};
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ Findings check_amounts(const Samples& samples);           ///< depth-sparse, tex
 Findings check_registration(const Samples& samples);      ///< depth-size, depth-lag, depth-offset
 Findings check_depth_scale(const Samples& samples);       ///< depth-unit, focal-baseline
 Findings check_depth_saturation(const Samples& samples);  ///< depth-saturated
-Findings check_pair(const Samples& samples);              ///< pair-rows, focal-baseline, disparity-bias
+Findings check_principal_point(const Samples& samples);   ///< principal-point
+Findings check_pair(const Samples& samples);              ///< pair-rows, depth-unit, focal-baseline, disparity-bias
 Findings check_masks(const Samples& samples);             ///< masks-size, masks-values, masks-lag
 Findings check_masks_cover(const Samples& samples);       ///< masks-cover
 Findings check_missing_masks(const Samples& samples);     ///< masks-missing

@@ -144,10 +144,12 @@ Findings depth_findings(const std::vector<Point>& points) {
   if (std::abs(std::log(line.scale)) > of_calibration) {
     findings.push_back(faulty("depth-unit", line.scale, "times too far",
                               "The depths are " + number(line.scale, 2) + " times those of the pair of images.",
-                              "State the unit of the depth, and the baseline in metres."));
+                              "State the unit of the depth, the baseline in metres, and the focal length in pixels "
+                              "of these images."));
     findings.push_back(unknown("disparity-bias", "The unit of the depth is wrong."));
     return findings;
   }
+  findings.push_back(fine("depth-unit", line.scale, "times too far", "The depths are those of the pair of images."));
   const double percent = 100 * (1 / line.scale - 1);
   const std::string scale = "Focal length times baseline is " + number(std::abs(percent), 1) + " % " +
                             (percent > 0 ? "more" : "less") + " than the disparities of the pair say.";

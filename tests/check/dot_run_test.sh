@@ -33,6 +33,11 @@ expect 3 'milliseconds' "$work/seq" --check
 awk '{ printf "%.0f\n", 1e9 * (1700000000 + $1) }' "$sample/times.txt" >"$work/seq/times.txt"
 expect 3 'nanoseconds' "$work/seq" --check # which a run refuses to read
 
+cp -r "$sample" "$work/half"
+chmod -R u+w "$work/half"
+awk 'NR == 1 { for (i = 1; i <= 4; ++i) $i /= 2 } 1' "$sample/intrinsics.txt" >"$work/half/intrinsics.txt"
+expect 3 'principal-point' "$work/half" --check
+
 # The background as an instance: a run leads to the check of the same masks, and the check names them.
 cp -r "$sample" "$work/cover"
 chmod -R u+w "$work/cover"

@@ -184,9 +184,50 @@ TEST(CheckDepthSaturation, MeasuresItsShare) {
   expect_fine(find(check::check_depth_saturation(samples), "depth-saturated"));
 }
 
+/// Of the made scene, 320x160.
+Finding principal_point(double cx, double cy) {
+  Samples samples = made_samples(1);
+  samples.recording.intrinsics.cx = cx;
+  samples.recording.intrinsics.cy = cy;
+  return find(check::check_principal_point(samples), "principal-point");
+}
+
+TEST(CheckPrincipalPoint, FindsIntrinsicsOfAnotherSize) {
+  const auto says = [](const Finding& finding, const char* words) {
+    EXPECT_NE(finding.words.find(words), std::string::npos) << finding.words;
+  };
+  const Finding half = principal_point(79.5, 39.5), twice = principal_point(319.5, 159.5);
+  expect_fault(half, 25, 1);
+  says(half, "half the size");
+  expect_fault(twice, 100, 1);
+  says(twice, "twice the size");
+  says(principal_point(39.5, 19.5), "a quarter of the size");
+}
+
+TEST(CheckPrincipalPoint, FindsOneThatIsMissingOrSwapped) {
+  expect_fault(principal_point(0, 79.5), 0, 0);
+  expect_fault(principal_point(159.5, 0), 0, 0);
+  expect_fault(principal_point(-3, 79.5), -1, 0.1);
+  expect_fault(principal_point(0.5, 0.5), 0, 1);  // as a share of the size
+  Samples upright = made_samples(1);
+  std::swap(upright.recording.intrinsics.width, upright.recording.intrinsics.height);
+  expect_fault(find(check::check_principal_point(upright), "principal-point"), 100, 1);
+}
+
+TEST(CheckPrincipalPoint, LeavesCropsAndShiftedLensesAlone) {
+  expect_fine(principal_point(159.5, 79.5));
+  expect_fine(principal_point(0.564 * 320, 0.439 * 160));
+  expect_fine(principal_point(0.32 * 320, 0.68 * 160));
+  for (const Finding& crop : {principal_point(0.5 * 320, 0.9 * 160), principal_point(0.25 * 320, 0.5 * 160)}) {
+    EXPECT_EQ(crop.verdict, Verdict::Hint) << crop.words;
+    EXPECT_FALSE(crop.advice.empty());
+  }
+}
+
 TEST(CheckPair, NamesTheUnit) {
   for (const double factor : {0.4, 2.5})
     expect_fault(find(check::check_pair(made_pair(factor, 0)), "depth-unit"), factor, 0.05 * factor);
+  expect_fine(find(check::check_pair(made_pair(1, 0)), "depth-unit"));
   expect_fine(find(check::check_pair(made_pair(1, 0)), "focal-baseline"));
 }
 
@@ -226,6 +267,19 @@ TEST(CheckDepthScale, MeasuresFocalLengthTimesBaseline) {
     expect_fault(find(check::check_depth_scale(with_steps(256, 300 * (1 + percent / 100))), "focal-baseline"), percent,
                  0.3);
   expect_fine(find(check::check_depth_scale(with_steps(256, 300)), "focal-baseline"));
+}
+
+// The steps of a disparity do not tell it from its half.
+TEST(CheckDepthScale, SaysWhatItsStepsLeaveOpen) {
+  for (const double factor : {0.5, 1.0, 2.0}) {
+    const Finding finding = find(check::check_depth_scale(with_steps(256, factor * 300)), "focal-baseline");
+    expect_fine(finding);
+    EXPECT_NE(finding.words.find("or a half"), std::string::npos) << finding.words;
+  }
+}
+
+TEST(CheckDepthScale, AUnitThatNothingTellsIsNotFine) {
+  expect_unknown(check::check_depth_scale(made_samples()), "depth-unit");
 }
 
 TEST(CheckAmounts, MeasuresDepthAndContrast) {

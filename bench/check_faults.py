@@ -50,6 +50,7 @@ TRIALS = {
     "focal": ("focal-baseline", ["3", "5", "10"], same),
     "resolution": ("principal-point", ["25", "50", "200"], scaled),
     "no-centre": ("principal-point", ["cx", "cy"], lambda s, c: 0),
+    "disparity": ("depth-inverse", ["16", "64", "256"], lambda s, c: 100),
     "rows": ("pair-rows", ["1", "2", "4"], same),
     "bias": ("disparity-bias", ["1", "2", "4"], same),
     "masks-late": ("masks-lag", ["1", "2", "-1"], same),

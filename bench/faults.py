@@ -121,6 +121,13 @@ def no_centre(s, size):
     s.intrinsics[{"cx": 2, "cy": 3}[size]] = 0
 
 
+def disparity(s, size):
+    """disparity instead of depth, so many values a pixel"""
+    fb = s.intrinsics[0] * s.intrinsics[6] * 256
+    s.change["depth"] = lambda z, i: np.where(
+        z > 0, np.clip(np.round(float(size) * fb / np.maximum(z, 1)), 1, 65535), 0).astype(np.uint16)
+
+
 def baseline(s, size):
     """baseline in intrinsics.txt too long by so many per cent"""
     s.intrinsics[6] *= 1 + float(size) / 100
@@ -291,7 +298,7 @@ def hood(s, size):
 
 FAULTS = {
     "depth-unit": depth_unit, "depth-late": depth_late, "depth-offset": depth_offset, "focal": focal,
-    "baseline": baseline, "resolution": resolution, "no-centre": no_centre,
+    "baseline": baseline, "resolution": resolution, "no-centre": no_centre, "disparity": disparity,
     "background": background, "rows": rows, "bias": bias, "masks-late": masks_late, "masks-size": masks_size,
     "masks-values": masks_values, "masks-missing": masks_missing, "time-unit": time_unit, "dropped": dropped,
     "dropped-silently": dropped_silently, "twice": twice, "depth-twice": depth_twice, "exposure": exposure, "blur": blur, "bands": bands,

@@ -29,6 +29,16 @@ void merge(Findings& all, Findings more) {
   }
 }
 
+/// Of disparities that were given as depth the steps look like a unit, and near things like far ones.
+void forget_scale_of_disparity(Findings& all) {
+  const auto inverse =
+      std::find_if(all.begin(), all.end(), [](const Finding& finding) { return finding.fault == "depth-inverse"; });
+  if (inverse == all.end() || inverse->verdict != Verdict::Fault) return;
+  for (Finding& finding : all)
+    for (const char* const name : {"depth-unit", "focal-baseline", "disparity-bias", "depth-offset"})
+      if (finding.fault == name) finding = unknown(name, "The depth looks like disparity.");
+}
+
 }  // namespace
 
 std::size_t Report::count(Verdict verdict) const {
@@ -40,9 +50,10 @@ Report check_recording(const runner::SequenceOptions& options) {
   const Samples samples = read_samples(options);
   Report report{options.folder.string(), samples.recording.entries.size(), samples.frames.size(), {}};
   for (const auto measure : {check_clock, check_repeats, check_amounts, check_registration, check_principal_point,
-                             check_pair, check_depth_scale, check_depth_saturation, check_masks, check_masks_cover,
-                             check_missing_masks, check_exposure, check_blur, check_fixed_parts})
+                             check_pair, check_depth_scale, check_depth_inverse, check_depth_saturation, check_masks,
+                             check_masks_cover, check_missing_masks, check_exposure, check_blur, check_fixed_parts})
     merge(report.findings, measure(samples));
+  forget_scale_of_disparity(report.findings);
   std::stable_sort(report.findings.begin(), report.findings.end(),
                    [](const Finding& a, const Finding& b) { return rank(a.verdict) < rank(b.verdict); });
   return report;

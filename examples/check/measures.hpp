@@ -16,6 +16,7 @@ Findings check_repeats(const Samples& samples);           ///< images-repeated, 
 Findings check_amounts(const Samples& samples);           ///< depth-sparse, texture-low
 Findings check_registration(const Samples& samples);      ///< depth-size, depth-lag, depth-offset
 Findings check_depth_scale(const Samples& samples);       ///< depth-unit, focal-baseline
+Findings check_depth_inverse(const Samples& samples);     ///< depth-inverse
 Findings check_depth_saturation(const Samples& samples);  ///< depth-saturated
 Findings check_principal_point(const Samples& samples);   ///< principal-point
 Findings check_pair(const Samples& samples);              ///< pair-rows, depth-unit, focal-baseline, disparity-bias

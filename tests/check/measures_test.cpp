@@ -184,6 +184,38 @@ TEST(CheckDepthSaturation, MeasuresItsShare) {
   expect_fine(find(check::check_depth_saturation(samples), "depth-saturated"));
 }
 
+void flip(Samples& samples) {
+  for (auto& frame : samples.frames) cv::flip(frame.depth, frame.depth, 0);
+}
+
+void invert(Samples& samples, double product) {
+  for (auto& frame : samples.frames)
+    for (int y = 0; y < frame.depth.rows; ++y)
+      for (int x = 0; x < frame.depth.cols; ++x)
+        if (auto& z = frame.depth.at<std::uint16_t>(y, x); z > 0) z = cv::saturate_cast<std::uint16_t>(product / z);
+}
+
+// Ground or ceiling, and in any unit.
+TEST(CheckDepthInverse, KnowsDisparityFromDepth) {
+  for (const bool ceiling : {false, true})
+    for (const double product : {60.0 * 256 * 16, 60.0 * 256 * 256}) {
+      Samples samples = made_samples();
+      lay_ground(samples, 200);
+      if (ceiling) flip(samples);
+      expect_fine(find(check::check_depth_inverse(samples), "depth-inverse"));
+      invert(samples, product);
+      expect_fault(find(check::check_depth_inverse(samples), "depth-inverse"), 100, 5);
+      samples.recording.depth_source = dot::DepthSource::Lidar;  // depth between whose lines was filled in
+      EXPECT_EQ(find(check::check_depth_inverse(samples), "depth-inverse").verdict, Verdict::Hint);
+    }
+}
+
+TEST(CheckDepthInverse, SaysNothingOfAWallAhead) {
+  const Finding finding = find(check::check_depth_inverse(made_samples()), "depth-inverse");
+  EXPECT_EQ(finding.fault, "depth-inverse");
+  EXPECT_EQ(finding.verdict, Verdict::Unknown);
+}
+
 /// Of the made scene, 320x160.
 Finding principal_point(double cx, double cy) {
   Samples samples = made_samples(1);

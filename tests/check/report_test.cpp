@@ -4,6 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+
+#include "support/recording_folder.hpp"
+
 namespace {
 
 check::Report report() {
@@ -50,6 +56,29 @@ TEST(CheckRecording, SampleIsFine) {
   const check::Report of_sample = check::check_recording(options);
   EXPECT_EQ(of_sample.faults(), 0u) << check::text_report(of_sample);
   EXPECT_EQ(of_sample.frames, of_sample.looked_at);
+}
+
+// Its steps look like another unit, or another baseline, and the two sides of things change places.
+TEST(CheckRecording, DisparityIsOneFault) {
+  namespace fs = std::filesystem;
+  const RecordingFolder folder;
+  const fs::path sample = DOT_SAMPLE_DIR;
+  for (const char* const name : {"rgb", "right", "masks", "depth"}) fs::copy(sample / name, folder.path() / name);
+  for (const char* const name : {"intrinsics.txt", "times.txt"}) fs::copy(sample / name, folder.path() / name);
+  for (const auto& file : fs::directory_iterator(folder.path() / "depth")) {
+    constexpr double fx_baseline = 362.5 * 0.532725, steps = 64;
+    cv::Mat depth = cv::imread(file.path().string(), cv::IMREAD_UNCHANGED), disparity;
+    depth.convertTo(disparity, CV_32F);
+    disparity = 256 * fx_baseline * steps / disparity;
+    disparity.setTo(0, depth == 0);
+    disparity.convertTo(depth, CV_16U);
+    cv::imwrite(file.path().string(), depth);
+  }
+  runner::SequenceOptions options;
+  options.folder = folder.path();
+  const check::Report report = check::check_recording(options);
+  EXPECT_EQ(report.faults(), 1u) << check::text_report(report);
+  EXPECT_EQ(report.findings[0].fault, "depth-inverse");
 }
 
 }  // namespace

@@ -36,8 +36,7 @@ Findings check_masks_cover(const Samples& samples) {
   const char* const advice =
       "Give masks of things that can move, and 0 to the rest: the camera's motion is found from pixels without a mask. "
       "Look for a mask of the whole image, for a background that is an instance of its own, for classes such as road "
-      "and "
-      "building, and for a network that cuts everything into pieces (Segment Anything without prompts).";
+      "and building, and for a network that cuts everything into pieces (Segment Anything without prompts).";
   if (percent > 100 * most || whole > seldom * frames) return {faulty(name, percent, "% of the image", said, advice)};
   if (covered > 0.5 * frames || whole > 0) return {hint(name, percent, "% of the image", said, advice)};
   return {fine(name, percent, "% of the image", said)};

@@ -17,8 +17,8 @@ dot/tracker.hpp and the C library may be used with these flags."
 /// way that Eigen allocates. Without this namespace, two translation units with different flags would give two layouts
 /// the same name, and the linker would not notice. All headers that use Eigen open their namespace with
 /// DOT_BEGIN_NAMESPACE, whose inline namespace is named after the alignment. Units with different flags then have
-/// different symbols of ours, and do not link if one hands a type to the other. Eigen's own functions have one name with
-/// any flags: all units of a program that use Eigen need the same.
+/// different symbols of ours, and do not link if one hands a type to the other. Eigen's own functions have one name
+/// with any flags: all units of a program that use Eigen need the same.
 ///
 /// A build that must not share code with its host can set DOT_ABI_TAG to another name, as our compiled tier does.
 

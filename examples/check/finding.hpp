@@ -8,7 +8,7 @@
 
 namespace check {
 
-/// A hint is what is seldom right, but can be: it is said like a fault, and is none.
+/// A hint is what is mostly wrong, but may be right: it is said like a fault, and is none.
 enum class Verdict : std::uint8_t { Fine, Fault, Hint, Unknown };
 
 /// What was measured of one property of a recording.

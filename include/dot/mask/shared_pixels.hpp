@@ -14,8 +14,8 @@ DOT_BEGIN_NAMESPACE
 
 /// A mask and how sure the network is of it.
 struct Claim {
-  const Mask& mask;
-  float score;
+  const Mask& mask;  ///< its pixels
+  float score;       ///< the network's
 };
 
 /// Whether a mask gives pixels up to another where their depth does not tell whose they are. It lies around the other,

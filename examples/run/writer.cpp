@@ -54,7 +54,8 @@ cv::Mat ids_16_bit(const dot::Result& result) {
   if (largest > std::numeric_limits<std::uint16_t>::max())
     throw std::runtime_error("frame " + std::to_string(result.frame_id) + ": track id " +
                              std::to_string(static_cast<std::int64_t>(largest)) +
-                             " does not fit the 16 bits of instances/");
+                             " does not fit the 16 bits of instances/. Do many small masks come and go? Raise "
+                             "mask.min_pixels, or split the recording");
   cv::Mat ids16;
   ids.convertTo(ids16, CV_16U);
   return ids16;

@@ -46,7 +46,7 @@ struct Drive : StageFilm {
   CameraStep next(const dot::HostMotion& host = {}) {
     advance();
     const double seconds = prev ? cur->timestamp - prev->timestamp : 0;
-    const CameraStep step =
+    CameraStep step =
         tracker.track(prev, *cur, seconds, host, objects, camera, estimator, workspace.aligner, workspace.minima);
     tracker.learn_depth(*cur, step, camera, {}, estimator.settings.min_points, setup.noise);
     tracker.find_fixed_parts(*cur, step, labels, ids, camera, dot::portable_kernels());

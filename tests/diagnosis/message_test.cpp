@@ -9,7 +9,6 @@
 
 namespace {
 
-using dot::Diagnosis;
 using dot::DiagnosisNews;
 using dot::Suspicion;
 

@@ -15,7 +15,6 @@
 
 namespace {
 
-using box_scene::kFar;
 using box_scene::kHeight;
 using box_scene::kNear;
 using box_scene::kObject;

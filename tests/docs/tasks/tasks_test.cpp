@@ -11,6 +11,8 @@
 #include <cstdio>
 #include <map>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "dot/opencv.hpp"
 #include "support/lorry.hpp"
@@ -33,6 +35,38 @@ TEST(Tasks, Exclude) {
   EXPECT_GT(excluded, 0);
   EXPECT_LT(used, static_cast<int>(use.total()) - excluded) << "the other mask is wider";
   EXPECT_GT(used, 0);
+}
+
+TEST(Tasks, List) {
+  struct Detection {
+    cv::Mat mask;
+    cv::Rect box;
+    int class_id;
+    float score;
+  };
+  constexpr int person = 0;
+  const cv::Mat& ids = sample()[0].masks;
+  double most = 0;
+  cv::minMaxLoc(ids, nullptr, &most);
+  std::vector<Detection> detections;
+  for (int id = 1; id <= static_cast<int>(most); ++id) {
+    const cv::Mat mask = ids == id;
+    const cv::Rect box = cv::boundingRect(mask);
+    if (box.area() > 0) detections.push_back({mask(box), box, detections.empty() ? person : 2, 0.9f});
+  }
+  ASSERT_GT(detections.size(), 1u);
+  dot::Tracker tracker(sample().camera, dot::test::Sample::options());
+  dot::Frame frame = sample().frame(0, false);
+  // snippet: task_list
+  // end of snippet
+  const dot::Result& result = tracker.track(frame);
+  for (const dot::ObjectResult& object : result.objects) {
+    const Detection& detection = detections[object.instance_id - 1];
+    EXPECT_EQ(object.state == dot::State::Moving, detection.class_id == person);
+    EXPECT_EQ(object.area, cv::countNonZero(detection.mask));
+    EXPECT_EQ(object.box[0], detection.box.x);
+  }
+  EXPECT_EQ(result.objects.size, detections.size());
 }
 
 TEST(Tasks, Late) {

@@ -225,7 +225,7 @@ std::vector<std::uint8_t> coloured(const Image<std::uint8_t>& grey, int channels
   std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * grey.height()), 0);
   for (int y = 0; y < grey.height(); ++y)
     for (int x = 0; x < grey.width(); ++x) {
-      std::uint8_t* pixel = &out[static_cast<std::size_t>(y * stride + channels * x)];
+      std::uint8_t* pixel = out.data() + y * stride + channels * x;
       pixel[0] = static_cast<std::uint8_t>(grey(x, y) / 2), pixel[1] = grey(x, y);
       pixel[2] = static_cast<std::uint8_t>(255 - grey(x, y) / 3);
       if (channels == 4) pixel[3] = 255;

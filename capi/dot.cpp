@@ -157,7 +157,7 @@ void log_camera(dot_tracker& tracker, std::uint32_t status) noexcept {
   }
 }
 
-/// Logs a suspicion when it appears. `label` leaves the diagnosis to what comes after it, so this is called there too.
+/// Logs a suspicion when it appears. `label` leaves the diagnosis to what comes after it, see `end_last`.
 void log_diagnosis(dot_tracker& tracker) noexcept {
   if (!tracker.diagnosis_is_new) return;
   tracker.diagnosis_is_new = false;
@@ -167,6 +167,13 @@ void log_diagnosis(dot_tracker& tracker) noexcept {
     log(tracker, DOT_LOG_WARNING, ("suspicion " + dot::describe(diagnosis)).c_str());
   } catch (const std::bad_alloc&) {  // the frame is tracked all the same
   }
+}
+
+/// Ends the frame of a `label` before the next one, which would do it, too. Its suspicion would not be seen then.
+void end_last(dot_tracker& tracker) {
+  if (!tracker.diagnosis_is_new) return;
+  tracker.tracker.prepare();
+  log_diagnosis(tracker);
 }
 
 const dot::Result& result_of(const dot_tracker* tracker) {
@@ -238,6 +245,7 @@ dot_status dot_reset(dot_tracker* tracker) noexcept {
 
 dot_status dot_track(dot_tracker* tracker, const dot_frame* frame) noexcept {
   return guard(tracker, [&] {
+    end_last(*tracker);
     tracker->result = &tracker->tracker.track(read_frame(frame, tracker->instances));
     tracker->diagnosis_is_new = true;
     log_camera(*tracker, to_c(tracker->result->camera.status));
@@ -247,6 +255,7 @@ dot_status dot_track(dot_tracker* tracker, const dot_frame* frame) noexcept {
 
 dot_status dot_label(dot_tracker* tracker, const dot_frame* frame) noexcept {
   return guard(tracker, [&] {
+    end_last(*tracker);
     tracker->result = &tracker->tracker.label(read_frame(frame, tracker->instances));
     tracker->diagnosis_is_new = true;
     log_camera(*tracker, to_c(tracker->result->camera.status));
@@ -254,10 +263,7 @@ dot_status dot_label(dot_tracker* tracker, const dot_frame* frame) noexcept {
 }
 
 dot_status dot_prepare(dot_tracker* tracker) noexcept {
-  return guard(tracker, [&] {
-    tracker->tracker.prepare();
-    log_diagnosis(*tracker);
-  });
+  return guard(tracker, [&] { end_last(*tracker); });
 }
 
 dot_status dot_submit_masks(dot_tracker* tracker, uint64_t frame_id, const dot_masks* masks) noexcept {

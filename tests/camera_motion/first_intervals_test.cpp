@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -93,6 +94,39 @@ TEST(RightFirstMotion, IsNotRevised) {
       }
     }
   }
+}
+
+// The recording begins with one image twice, so that the camera seems to stand. A lorry without a mask that goes on
+// ahead at the camera's speed then seems to be what a camera at that velocity sees.
+TEST(FirstMotion, AfterAnImageTwiceIsNotThatOfALorryAhead) {
+  for (const double faster : {0.0, 1.0})
+    for (const double half_width : {2.0, 2.4}) {
+      const auto late = [](const dot::Vector3<double>& from, const dot::Vector3<double>& velocity) {
+        return [path = straight(from, velocity)](double t) { return path(std::max(0.0, t - 0.1)); };
+      };
+      constexpr double kSpeed = 10;  // m/s
+      const double height = 0.8 * half_width;
+      Film<> film;
+      film.camera_path = late({0, 0, 0}, {0, 0, kSpeed});
+      film.degradation.noise = 1;
+      film.add(1, straight({-4.2, 1.3, 9}));
+      film.add(2, straight({-4.6, 1.3, 14}));
+      film.add(box(kLorry, {half_width, height, 2}, 77, 0.25, 1.2),
+               late({1, 2 - height, 9}, {0.2, 0, kSpeed + faster}));
+      film.spoil = [](int, Rendering& seen) {
+        for (int y = 0; y < seen.ids.height(); ++y)
+          for (int x = 0; x < seen.ids.width(); ++x)
+            if (seen.ids(x, y) == kLorry) seen.ids(x, y) = 0;
+      };
+      Tracker tracker(small_camera(), Options{});
+      film.next(tracker);
+      film.next(tracker);
+      for (int i = 2; i < 5; ++i) {
+        const Result& result = film.next(tracker);
+        EXPECT_LT(error(result.camera.T_cur_prev, film.T_c()), 0.02)
+            << i << ", half width " << half_width << ", faster by " << faster;
+      }
+    }
 }
 
 /// Two intervals behind the lorry, which is part of the background. Their motions are measured by all points, by those

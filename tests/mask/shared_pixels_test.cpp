@@ -88,6 +88,21 @@ TEST(SharedPixels, GoToTheInnerMaskWhereDepthDoesNotTell) {
   EXPECT_EQ(areas(kObject, kNear), half_each);
 }
 
+TEST(SharedPixels, OfALessSureMaskNeedNotBeMuchSmaller) {
+  const Mask inner = rectangle(20, 20, 20, 20), outer = rectangle(20, 20, 20, 28);
+  EXPECT_TRUE(dot::gives_way({outer, 0.5f}, {inner, 0.9f}));
+  EXPECT_FALSE(dot::gives_way({outer, 0.9f}, {inner, 0.9f}));
+  EXPECT_FALSE(dot::gives_way({outer, 0.9f}, {inner, 0.5f}));
+}
+
+TEST(SharedPixels, PeopleGiveNothingUpToThings) {
+  const Mask inner = rectangle(20, 20, 20, 20), outer = rectangle(20, 20, 40, 40);
+  EXPECT_FALSE(dot::gives_way({outer, 0.5f, true}, {inner, 0.9f, false}));
+  EXPECT_FALSE(dot::gives_way({inner, 0.5f, true}, {inner, 0.9f, false}));
+  EXPECT_TRUE(dot::gives_way({outer, 0.5f, true}, {inner, 0.9f, true}));
+  EXPECT_TRUE(dot::gives_way({outer, 0.5f, false}, {inner, 0.9f, true}));
+}
+
 TEST(SharedPixels, OnlyAMuchLargerMaskIsAroundAnother) {
   const Mask inner = rectangle(20, 20, 20, 20);
   EXPECT_FALSE(is_around(rectangle(20, 20, 20, 28), inner)) << "two masks of one object";

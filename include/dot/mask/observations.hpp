@@ -155,7 +155,7 @@ class Observations {
     return changed;
   }
 
-  static Claim claim_of(const Observation& o) { return {o.mask, o.score}; }
+  static Claim claim_of(const Observation& o) { return {o.mask, o.score, o.always_dynamic}; }
 
   static double area_of_images(const Span<Instance>& instances) {
     double area = 0;

@@ -14,21 +14,24 @@ DOT_BEGIN_NAMESPACE
 
 /// A mask and how sure the network is of it.
 struct Claim {
-  const Mask& mask;  ///< its pixels
-  float score;       ///< the network's
+  const Mask& mask;             ///< its pixels
+  float score;                  ///< the network's
+  bool always_dynamic = false;  ///< people and the like
 };
 
 /// Whether a mask gives pixels up to another where their depth does not tell whose they are. It lies around the other,
-/// as one about a group of things or about the whole image does, or both are of one object and it is less sure.
+/// as one about a group of things or about the whole image does, or both are of one object and it is less sure. People
+/// do not give way to things, because these can count as standing.
 inline bool gives_way(const Claim& claim, const Claim& other) {
   constexpr double kOfOne = 0.75;  // IoU of masks of one object
   constexpr double kInside = 0.9;  // of the other one's area
   constexpr double kAround = 1.5;  // of the other one's area, of masks that are as sure
-  if (claim.score > other.score) return false;
-  const bool less_sure = claim.score < other.score;
-  if (less_sure && iou(claim.mask, other.mask) >= kOfOne) return true;
-  return claim.mask.area >= (less_sure ? 1 : kAround) * other.mask.area &&
-         overlap(claim.mask, other.mask) >= kInside * other.mask.area;
+  if (claim.score > other.score || (claim.always_dynamic && !other.always_dynamic)) return false;
+  const bool less_sure = claim.score < other.score, larger = claim.mask.area >= kAround * other.mask.area;
+  if (!less_sure && !larger) return false;
+  const int both = overlap(claim.mask, other.mask);
+  const bool of_one = both >= kOfOne * (claim.mask.area + other.mask.area - both);
+  return both > 0 && ((less_sure && of_one) || both >= kInside * other.mask.area);
 }
 
 /// Gives pixels that are set in two masks to the object whose depth they have: boxes of a detector, and masks of a

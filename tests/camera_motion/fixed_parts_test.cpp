@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "dot/camera/pinhole.hpp"
+#include "support/host_pool.hpp"
 #include "support/synthetic_scene.hpp"
 
 namespace {
@@ -51,6 +53,7 @@ class Camera {
 
   Setting setting;
   FixedParts parts;
+  dot::Threads threads;
   bool found = false;  ///< parts that held the camera, in any frame
 
   void drive(double seconds) {
@@ -63,13 +66,16 @@ class Camera {
 
   /// Share of the rows from `first` to `end` that is excluded.
   double excluded(int first, int end) const {
+    const std::vector<std::uint8_t> all = pixels();
+    const auto excluded = std::count(all.begin() + first * kWidth, all.begin() + end * kWidth, std::uint8_t{0});
+    return static_cast<double>(excluded) / ((end - first) * kWidth);
+  }
+  /// By rows, 0 where they are excluded.
+  std::vector<std::uint8_t> pixels() const {
     Image<std::uint8_t> mask(kWidth, kHeight);
     mask.fill(255);
     parts.exclude(mask);
-    int count = 0;
-    for (int y = first; y < end; ++y)
-      for (int x = 0; x < kWidth; ++x) count += mask(x, y) == 0;
-    return static_cast<double>(count) / ((end - first) * kWidth);
+    return {mask.row(0), mask.row(0) + kWidth * kHeight};
   }
   double of_part() const { return excluded(setting.first_row, kHeight); }
   double of_scene() const { return excluded(0, kFirstFixedRow - 16); }
@@ -97,7 +103,7 @@ class Camera {
     step.seconds = 1 / setting.rate;
     step.T_cur_prev = dot::SE3d::translation(Vector3<double>(-setting.measured * way, 0, 0));
     step.alignment.stands = setting.stands_every > 0 && frames_++ % setting.stands_every == 0;
-    found |= parts.look(frame_, background_, ids_, step, camera_, dot::portable_kernels());
+    found |= parts.look(frame_, background_, ids_, step, camera_, dot::portable_kernels(), threads);
   }
 
   static constexpr int kSteps = 2;  ///< of the wall's image, a pixel
@@ -258,6 +264,22 @@ TEST(FixedParts, AreForgotten) {
   EXPECT_GT(camera.of_part(), 0.9);
 }
 
+// The bands of rows that the threads take may end in any order.
+TEST(FixedParts, DoNotDependOnTheNumberOfThreads) {
+  Setting bonnet, writing;
+  writing.end_row = kFirstFixedRow + 16, writing.end_column = 80;
+  for (const Setting& setting : {bonnet, writing}) {
+    Camera alone(setting), shared(setting);
+    shared.threads.count = 3, shared.threads.pool = dot::test::host_pool;
+    for (int frame = 0; frame < 20; ++frame) {
+      alone.drive(1 / setting.rate), shared.drive(1 / setting.rate);
+      ASSERT_EQ(alone.parts.share(), shared.parts.share()) << "frame " << frame;
+      ASSERT_EQ(alone.pixels(), shared.pixels()) << "frame " << frame;
+    }
+    EXPECT_GT(alone.excluded(kFirstFixedRow, kHeight), 0);
+  }
+}
+
 // A line of writing over less than 2 % of the image is no part that could hold the camera.
 TEST(Overlays, OfAnySizeAreExcluded) {
   Setting setting;
@@ -291,7 +313,7 @@ TEST(FixedParts, AreNoneInAnImageThatIsTooSmall) {
   for (int i = 0; i < 10; ++i) {
     frame.timestamp = i;
     EXPECT_FALSE(parts.look(frame, background, Image<std::uint32_t>(5, 5), {}, dot::Pinhole(small_camera()),
-                            dot::portable_kernels()));
+                            dot::portable_kernels(), dot::Threads{}));
   }
   parts.exclude(background);
   EXPECT_EQ(parts.share(), 0);

@@ -14,6 +14,7 @@
 
 #include "dot/tracker.hpp"
 #include "support/film.hpp"
+#include "support/host_pool.hpp"
 
 namespace {
 
@@ -22,13 +23,6 @@ using dot::Result;
 using dot::Threads;
 using dot::Tracker;
 using namespace dot::test;
-
-/// Threads of its own, which begin in the reverse order.
-void host_pool(int count, const std::function<void(int)>& job) {
-  std::vector<std::thread> threads;
-  for (int i = count - 1; i >= 0; --i) threads.emplace_back([&job, i] { job(i); });
-  for (std::thread& t : threads) t.join();
-}
 
 TEST(Threads, EachPieceIsDoneOnceByAWorkerThatDoesNothingElse) {
   for (const bool host : {false, true})
@@ -49,6 +43,19 @@ TEST(Threads, EachPieceIsDoneOnceByAWorkerThatDoesNothingElse) {
         EXPECT_EQ(wrong, 0);
         for (const auto& n : done) EXPECT_EQ(n, 1);
       }
+}
+
+TEST(Threads, BandsAreAllRowsOnce) {
+  for (const int rows : {0, 1, 7, 8, 93}) {
+    Threads threads;
+    threads.count = 3, threads.pool = host_pool;
+    std::vector<std::atomic<int>> done(static_cast<std::size_t>(rows));
+    threads.run_bands(rows, [&](int worker, int begin, int end) {
+      EXPECT_LT(worker, 3);
+      for (int row = begin; row < end; ++row) ++done[static_cast<std::size_t>(row)];
+    });
+    for (const auto& n : done) EXPECT_EQ(n, 1) << rows << " rows";
+  }
 }
 
 TEST(Threads, OneRunsInTheCallersThreadAndInOrder) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -13,6 +14,7 @@
 #include "dot/camera_motion/cell_shift.hpp"
 #include "dot/camera_motion/overlays.hpp"
 #include "dot/camera_motion/standing_edges.hpp"
+#include "dot/threads/threads.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -37,16 +39,16 @@ class FixedParts {
   /// @return whether parts were found that have held the camera, so that its velocity is not known.
   template <typename Camera>
   bool look(const FrameData& frame, const Image<std::uint8_t>& background, const Image<std::uint32_t>& ids,
-            const CameraStep& step, const Camera& camera, const kernel::Kernels& kernels) {
+            const CameraStep& step, const Camera& camera, const kernel::Kernels& kernels, const Threads& threads) {
     T_cur_last_ = step.T_cur_prev * T_cur_last_;
     known_ = known_ && step.known();
-    if (!edges_.add(frame, background, kernels)) return false;
+    if (!edges_.add(frame, background, kernels, threads)) return false;
     resize(edges_.index(0, edges_.rows()));
     stood_ = step.known() && step.alignment.stands ? kTrial : std::max(0, stood_ - 1);
     scene_stays_ = stood_ > 0 || scene_stays();
     const CellShift<Camera> shift{edges_, T_cur_last_, frame.depth.levels[edges_.level()], camera};
-    if (edges_.has_two_frames()) compare(shift);
-    if (known_ && !is_refuted() && !scene_stays_) overlays_.look(edges_, shift, ids);
+    if (edges_.has_two_frames()) compare(shift, threads);
+    if (known_ && !is_refuted() && !scene_stays_) overlays_.look(edges_, shift, ids, threads);
     T_cur_last_ = {};
     known_ = true;
     return edges_.is_known() && decide();
@@ -118,38 +120,50 @@ class FixedParts {
 
   /// Adds what the camera's motion since the last frame that counted should have done to the cells' edges.
   template <typename Camera>
-  void compare(const CellShift<Camera>& cell_shift) {
-    constexpr int kEvery = 3;  // of the cells are enough
-    int changed = 0, explained = 0;
-    for (int row = 0; row < edges_.rows(); ++row)
-      for (int column = 0; column < edges_.columns(); ++column) {
-        const std::size_t i = edges_.index(column, row);
-        Cell& cell = cells_[i];
-        cell.q = edges_.has_edges(i) ? cell_shift.nearest(column, row) : 0;
-        cell.shift = 0;
-        const bool moves = edges_.moves(i);
-        if (moves) cell.crossed = 0, cell.tried = 0;
-        if (known_ && !is_refuted()) {
-          cell.crossed *= StandingEdges::kKeep;
-          if (cell.tried > 0) cell.tried = std::min(cell.tried + 1, kTrial);
-        }
-        const bool tells = edges_.is_other(i) && (row + column) % kEvery == 0;
-        const bool is_asked = !moves && (cell.tried > 0 || edges_.stays(i));
-        if (!known_ || !(tells || is_asked)) continue;
-        Vector2<float> shift;
-        if (!cell_shift(column, row, cell.q, shift)) continue;
-        const auto change = edges_.change(column, row, shift.x(), shift.y());
-        cell.shift = shift.norm();
-        changed += tells;
-        explained += tells && change.is_explained();
-        if (is_asked && !scene_stays_ && change.is_contradicted()) {
-          cell.crossed += edges_.crossing(column, row, shift.x(), shift.y());
-        }
-      }
+  void compare(const CellShift<Camera>& cell_shift, const Threads& threads) {
+    std::atomic<int> changed{0}, explained{0};  // cells
+    threads.run_bands(edges_.rows(), [&](int, int begin, int end) {
+      Compared all;
+      for (int row = begin; row < end; ++row)
+        for (int column = 0; column < edges_.columns(); ++column) compare(cell_shift, column, row, all);
+      changed += all.changed, explained += all.explained;
+    });
     if (!known_ || changed < kLeastCompared) return;
     constexpr float kShareOfNew = 0.3f;
     refuted_ += (compared_ ? kShareOfNew : 1) * ((4 * explained < changed ? 1.f : 0.f) - refuted_);
     compared_ = true;
+  }
+
+  struct Compared {
+    int changed = 0;    ///< cells with other edges
+    int explained = 0;  ///< of these, whose change the camera's motion explains
+  };
+
+  /// The same, of a cell.
+  template <typename Camera>
+  void compare(const CellShift<Camera>& cell_shift, int column, int row, Compared& all) {
+    constexpr int kEvery = 3;  // of the cells are enough
+    const std::size_t i = edges_.index(column, row);
+    Cell& cell = cells_[i];
+    cell.q = edges_.has_edges(i) ? cell_shift.nearest(column, row) : 0;
+    cell.shift = 0;
+    const bool moves = edges_.moves(i);
+    if (moves) cell.crossed = 0, cell.tried = 0;
+    if (known_ && !is_refuted()) {
+      cell.crossed *= StandingEdges::kKeep;
+      if (cell.tried > 0) cell.tried = std::min(cell.tried + 1, kTrial);
+    }
+    const bool tells = edges_.is_other(i) && (row + column) % kEvery == 0;
+    const bool is_asked = !moves && (cell.tried > 0 || edges_.stays(i));
+    if (!known_ || !(tells || is_asked)) return;
+    Vector2<float> shift;
+    if (!cell_shift(column, row, cell.q, shift)) return;
+    const auto change = edges_.change(column, row, shift.x(), shift.y());
+    cell.shift = shift.norm();
+    all.changed += tells;
+    all.explained += tells && change.is_explained();
+    if (is_asked && !scene_stays_ && change.is_contradicted())
+      cell.crossed += edges_.crossing(column, row, shift.x(), shift.y());
   }
 
   /// Whether the camera's motion does not explain how edges move.

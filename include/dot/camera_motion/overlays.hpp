@@ -12,6 +12,7 @@
 #include "dot/camera_motion/standing_edges.hpp"
 #include "dot/image/image.hpp"
 #include "dot/points/overlaid_pixels.hpp"
+#include "dot/threads/threads.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -28,34 +29,21 @@ class Overlays {
   /// Looks at the next frame that counted. @param shift by the camera's motion, which is sure, since the one before.
   /// @param ids of the objects, 0 = background, of full size.
   template <typename Camera>
-  void look(const StandingEdges& edges, const CellShift<Camera>& shift, const Image<std::uint32_t>& ids) {
+  void look(const StandingEdges& edges, const CellShift<Camera>& shift, const Image<std::uint32_t>& ids,
+            const Threads& threads) {
     resize(edges);
     if (!edges.is_known()) return;
     std::swap(objects_, before_);
     objects_.clear();
+    threads.run_bands(edges.rows(), [&](int, int begin, int end) {
+      for (int row = begin; row < end; ++row)
+        for (int column = 0; column < edges.columns(); ++column) look(edges, shift, ids, column, row);
+    });
     bool any = false;
-    for (int row = 0; row < edges.rows(); ++row)
-      for (int column = 0; column < edges.columns(); ++column) {
-        const std::size_t i = edges.index(column, row);
-        Cell& cell = cells_[i];
-        if (!edges.has_any_edges(i)) {
-          cell = {};
-          continue;
-        }
-        cell.staying = edges.stays_in_part(i) ? edges.staying_pixels(column, row) : std::uint16_t{0};
-        const std::uint32_t id = edges.has_object(i) ? edges.in_middle(ids, column, row) : 0;
-        if (!has_enough(cell.staying)) {
-          cell = {};
-        } else {
-          if (!is_overlaid(cell))
-            cell.crossed = StandingEdges::kKeep * cell.crossed + crossing(edges, shift, column, row);
-          if (id != cell.id && id != 0) cell.was_first = is_among(before_, id);
-        }
-        cell.id = id;
-        cell.marked = is_overlaid(cell);
-        any |= cell.marked;
-        if (id != 0) count(cell);
-      }
+    for (const Cell& cell : cells_) {
+      any |= cell.marked;
+      if (cell.id != 0) count(cell);
+    }
     if (any) keep_objects();
     pixels_.set(any ? 1 << edges.level() : 0, edges.width(), edges.height());
     if (any) mark(edges);
@@ -86,6 +74,28 @@ class Overlays {
     int cells = 0;   ///< with edges
     int marked = 0;  ///< of these, whose staying pixels would be an overlay's
   };
+
+  /// Looks at a cell.
+  template <typename Camera>
+  void look(const StandingEdges& edges, const CellShift<Camera>& shift, const Image<std::uint32_t>& ids, int column,
+            int row) {
+    const std::size_t i = edges.index(column, row);
+    Cell& cell = cells_[i];
+    if (!edges.has_any_edges(i)) {
+      cell = {};
+      return;
+    }
+    cell.staying = edges.stays_in_part(i) ? edges.staying_pixels(column, row) : std::uint16_t{0};
+    const std::uint32_t id = edges.has_object(i) ? edges.in_middle(ids, column, row) : 0;
+    if (!has_enough(cell.staying)) {
+      cell = {};
+    } else {
+      if (!is_overlaid(cell)) cell.crossed = StandingEdges::kKeep * cell.crossed + crossing(edges, shift, column, row);
+      if (id != cell.id && id != 0) cell.was_first = is_among(before_, id);
+    }
+    cell.id = id;
+    cell.marked = is_overlaid(cell);
+  }
 
   static bool is_overlaid(const Cell& cell) { return cell.crossed > kCrossed; }
 

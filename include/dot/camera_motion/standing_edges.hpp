@@ -14,6 +14,7 @@
 #include "dot/frame/frame_data.hpp"
 #include "dot/image/image.hpp"
 #include "dot/kernel/kernels.hpp"
+#include "dot/threads/threads.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -40,20 +41,22 @@ class StandingEdges {
   };
 
   /// Looks at the next frame. @param background zero where objects are, of full size. @return whether it counts.
-  bool add(const FrameData& frame, const Image<std::uint8_t>& background, const kernel::Kernels& kernels) {
+  bool add(const FrameData& frame, const Image<std::uint8_t>& background, const kernel::Kernels& kernels,
+           const Threads& threads) {
     choose_level(frame.pyramid);
+    reserve_columns(threads);
     const Image<std::uint8_t>& image = frame.pyramid.levels[level_];
     const double seconds = frame.timestamp - timestamp_;
     if (columns_ < 1 || rows_ < 1 || frame.is_repeated() || (frames_ > 0 && seconds < kShortest)) return false;
     mark_objects(background);
-    if (frames_ > 0 && !has_changed(image, kernels)) return false;
+    if (frames_ > 0 && !has_changed(image, kernels, threads)) return false;
     std::swap(newest_, before_);
     newest_ = image;
     if (frames_ == 0) clear_sums();
     const double fade = frames_ > 0 ? 1 - std::exp(-std::min(seconds, kLongest) / kMemory) : 0;
     frames_ = std::min(frames_ + 1, kEnoughFrames);
     timestamp_ = frame.timestamp;
-    sum(image, fade, kernels);
+    sum(image, fade, kernels, threads);
     return true;
   }
 
@@ -92,7 +95,7 @@ class StandingEdges {
     return static_cast<std::uint16_t>(pixels);
   }
   /// Whether its edges are others than in the frame that counted before the newest.
-  bool is_other(std::size_t cell) const { return other_[cell]; }
+  bool is_other(std::size_t cell) const { return change_[cell] == kChangedEdge; }
   /// Whether its edges have stayed.
   bool stays(std::size_t cell) const { return stay_[cell] > kStays * all_[cell]; }
   /// Whether its edges have moved.
@@ -147,6 +150,14 @@ class StandingEdges {
   static constexpr float kOther = 0.4f;        ///< |g - g'| over |g| + |g'|, from which an edge is another one
   static constexpr double kChanged = 0.25;     ///< share of the cells with other edges, from which a frame counts
 
+  static constexpr std::uint8_t kSameEdge = 1, kChangedEdge = 2;  ///< of `change_`; 0: the cell has no edges
+
+  /// Sums of the columns of a row of cells: scratch.
+  struct Columns {
+    explicit Columns(std::size_t width) : part(width), all(width) {}
+    std::vector<std::uint16_t> part, all;
+  };
+
   static std::size_t at(int column, int row, int columns) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
   }
@@ -161,10 +172,10 @@ class StandingEdges {
     forget();
     for (auto* a : {&x_, &y_, &length_}) a->assign(at(0, height, width), 0);
     for (auto* a : {&stay_, &all_}) a->assign(at(0, rows, columns), 0.f);
-    for (auto* a : {&parts_, &alls_}) a->assign(static_cast<std::size_t>(width), 0);
+    columns_of_.clear();
     staying_.resize(width, height);
     staying_.fill(0);
-    for (auto* a : {&objects_, &other_}) a->assign(at(0, rows, columns), 0);
+    for (auto* a : {&objects_, &change_}) a->assign(at(0, rows, columns), 0);
     // Set after the calls that may throw, so that the size is always correct.
     level_ = level, width_ = width, height_ = height, columns_ = columns, rows_ = rows;
   }
@@ -180,21 +191,30 @@ class StandingEdges {
         objects_[index(column, row)] = in_middle(background, column, row) == 0;
   }
 
+  void reserve_columns(const Threads& threads) {
+    const auto workers = static_cast<std::size_t>(std::max(1, threads.count));
+    if (columns_of_.size() != workers) columns_of_.assign(workers, Columns(static_cast<std::size_t>(width_)));
+  }
+
   /// Calls visit(cell, part, all) with the sums over each cell of what add_row(v, columns) has added to its rows v,
-  /// from the second pixel on.
+  /// from the second pixel on. The calls are of several threads.
   template <typename AddRow, typename Visit>
-  void for_each_cell(int row_step, AddRow&& add_row, Visit&& visit) {
-    for (int row = 0; row < rows_; ++row) {
-      std::fill(parts_.begin(), parts_.end(), std::uint16_t{0});
-      std::fill(alls_.begin(), alls_.end(), std::uint16_t{0});
-      for (int v = 1 + row * kCell; v <= (row + 1) * kCell; v += row_step) add_row(v, {parts_.data(), alls_.data()});
-      for (int column = 0; column < columns_; ++column) {
-        int part = 0, all = 0;
-        for (std::size_t i = static_cast<std::size_t>(column) * kCell, end = i + kCell; i < end; ++i)
-          part += parts_[i], all += alls_[i];
-        visit(index(column, row), part, all);
+  void for_each_cell(int row_step, const Threads& threads, AddRow&& add_row, Visit&& visit) {
+    threads.run_bands(rows_, [&](int worker, int begin, int end) {
+      Columns& columns = columns_of_[static_cast<std::size_t>(worker)];
+      for (int row = begin; row < end; ++row) {
+        std::fill(columns.part.begin(), columns.part.end(), std::uint16_t{0});
+        std::fill(columns.all.begin(), columns.all.end(), std::uint16_t{0});
+        for (int v = 1 + row * kCell; v <= (row + 1) * kCell; v += row_step)
+          add_row(v, {columns.part.data(), columns.all.data()});
+        for (int column = 0; column < columns_; ++column) {
+          int part = 0, all = 0;
+          for (std::size_t i = static_cast<std::size_t>(column) * kCell, last = i + kCell; i < last; ++i)
+            part += columns.part[i], all += columns.all[i];
+          visit(index(column, row), part, all);
+        }
       }
-    }
+    });
   }
 
   static kernel::ThreeRows rows_about(const Image<std::uint8_t>& image, int v) {
@@ -202,35 +222,36 @@ class StandingEdges {
   }
 
   /// Whether many edges of the background are others than in the last frame that counted.
-  bool has_changed(const Image<std::uint8_t>& image, const kernel::Kernels& kernels) {
+  bool has_changed(const Image<std::uint8_t>& image, const kernel::Kernels& kernels, const Threads& threads) {
     constexpr int kStep = 2;  // rows
-    int edges = 0, changed = 0;
     for_each_cell(
-        kStep,
+        kStep, threads,
         [&](int v, const kernel::EdgeColumns& columns) {
           kernels.compare_edges(rows_about(image, v), rows_about(newest_, v), width_ - 2, columns);
         },
         [&](std::size_t cell, int other, int all) {
-          const int is_edge = all > 2 * kEdge * kCell * kCell / kStep && !objects_[cell];
-          other_[cell] = is_edge & (static_cast<float>(other) > kOther * static_cast<float>(all));
-          edges += is_edge;
-          changed += other_[cell];
+          const bool is_edge = all > 2 * kEdge * kCell * kCell / kStep && !objects_[cell];
+          const bool is_changed = static_cast<float>(other) > kOther * static_cast<float>(all);
+          change_[cell] = !is_edge ? 0 : is_changed ? kChangedEdge : kSameEdge;
         });
+    int edges = 0, changed = 0;
+    for (const std::uint8_t change : change_) edges += change != 0, changed += change == kChangedEdge;
     return edges >= kLeastCells && changed > kChanged * edges;
   }
 
   /// Adds a frame to the sums. @param fade share of the sums that is dropped.
-  void sum(const Image<std::uint8_t>& image, double fade, const kernel::Kernels& kernels) {
+  void sum(const Image<std::uint8_t>& image, double fade, const kernel::Kernels& kernels, const Threads& threads) {
     weight_ = frames_ > 1 ? weight_ - weight_ * static_cast<float>(fade) + 1 : 1;
     kernel::EdgeSums sums;
     sums.fade = static_cast<short>(65536 * fade);
     sums.edge = static_cast<short>(kEdge * kernel::kEdgeUnit * weight_);
     for_each_cell(
-        1,
+        1, threads,
         [&](int v, const kernel::EdgeColumns& columns) {
           const std::size_t first = at(1, v, width_);
-          sums.x = x_.data() + first, sums.y = y_.data() + first, sums.length = length_.data() + first;
-          kernels.sum_edges(rows_about(image, v), width_ - 2, sums, columns, staying_.row(v) + 1);
+          kernel::EdgeSums row = sums;
+          row.x = x_.data() + first, row.y = y_.data() + first, row.length = length_.data() + first;
+          kernels.sum_edges(rows_about(image, v), width_ - 2, row, columns, staying_.row(v) + 1);
         },
         [&](std::size_t cell, int stay, int all) {
           stay_[cell] = static_cast<float>(stay), all_[cell] = static_cast<float>(all);
@@ -239,15 +260,15 @@ class StandingEdges {
 
   std::size_t level_ = 0;
   int width_ = 0, height_ = 0, columns_ = 0, rows_ = 0;
-  int frames_ = 0;                             ///< that counted, at most kEnoughFrames
-  double timestamp_ = 0;                       ///< of the last one that counted, seconds
-  float weight_ = 0;                           ///< of all frames in the sums
-  Image<std::uint8_t> newest_, before_;        ///< the last two frames that counted
-  std::vector<std::int16_t> x_, y_, length_;   ///< of each pixel: the sums of kernel::EdgeSums
-  Image<std::uint8_t> staying_;                ///< 1: an edge that has stayed
-  std::vector<float> stay_, all_;              ///< of each cell: |sum g| and sum |g| of its edges
-  std::vector<std::uint16_t> parts_, alls_;    ///< of each column: scratch
-  std::vector<std::uint8_t> objects_, other_;  ///< of each cell
+  int frames_ = 0;                              ///< that counted, at most kEnoughFrames
+  double timestamp_ = 0;                        ///< of the last one that counted, seconds
+  float weight_ = 0;                            ///< of all frames in the sums
+  Image<std::uint8_t> newest_, before_;         ///< the last two frames that counted
+  std::vector<std::int16_t> x_, y_, length_;    ///< of each pixel: the sums of kernel::EdgeSums
+  Image<std::uint8_t> staying_;                 ///< 1: an edge that has stayed
+  std::vector<float> stay_, all_;               ///< of each cell: |sum g| and sum |g| of its edges
+  std::vector<Columns> columns_of_;             ///< of each worker
+  std::vector<std::uint8_t> objects_, change_;  ///< of each cell: whether it is on an object; its edges' change
 };
 
 DOT_END_NAMESPACE

@@ -44,6 +44,13 @@ struct Threads {
           },
           workers);
   }
+
+  /// Calls work(worker, begin, end) for bands of rows, which together are 0 to `rows`. See `run`.
+  template <typename Work>
+  void run_bands(int rows, Work&& work) const {
+    constexpr int kBands = 8;  // even out what bands cost, for some threads
+    run(kBands, [&](int worker, int band) { work(worker, rows * band / kBands, rows * (band + 1) / kBands); });
+  }
 };
 
 /// Assigns rounds to `n` tasks. Each is in the round after the last earlier task that it waits for.

@@ -208,9 +208,9 @@ template <typename Camera, typename Noise, typename Aligner>
 void CameraTracker<Camera, Noise, Aligner>::find_fixed_parts(const FrameData& cur, const CameraStep& step,
                                                              const PaintedImage<std::uint8_t>& labels,
                                                              const Image<std::uint32_t>& ids, const Camera& camera,
-                                                             const kernel::Kernels& kernels) {
+                                                             const kernel::Kernels& kernels, const Threads& threads) {
   mask_.set(labels);
-  held_ = fixed_parts_.look(cur, mask_.pixels, ids, step, camera, kernels);
+  held_ = fixed_parts_.look(cur, mask_.pixels, ids, step, camera, kernels, threads);
   fixed_parts_.exclude(mask_.pixels);
 }
 

@@ -204,7 +204,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::remember(const CameraStep& camera_
     return at != tracks.end() && (*at)->identity.id == id && (*at)->identity.discovered;
   };
   if (options_.discover_unknown) discovery_.remember(labeller_.ids(), is_discovered, cur.timestamp);
-  camera_tracker_.find_fixed_parts(cur, camera_step, labeller_.labels(), labeller_.ids(), camera_, kernels());
+  camera_tracker_.find_fixed_parts(cur, camera_step, labeller_.labels(), labeller_.ids(), camera_, kernels(), threads);
   const Setup setup = this->setup();
   threads.run(1 + static_cast<int>(tracks.size()), [&](int thread, int i) {
     auto& worker = tracks_.workers()[static_cast<std::size_t>(thread)];

@@ -52,6 +52,21 @@ TEST(Association, NeedsEnoughOverlap) {
   EXPECT_EQ(associate({rectangle(0, 0, 20, 10)}, {rectangle(13, 0, 20, 10)}, settings), (Partners{-1}));
 }
 
+// A van that covers a parked car is no larger part of it, unless the car is as long as the way between them.
+TEST(Association, WhatPassesBeforeAnObjectIsNotIt) {
+  const Mask car = rectangle(20, 10, 20, 10), van = rectangle(0, 0, 50, 22);
+  ASSERT_LT(dot::iou(car, van), dot::MaskSettings{}.min_iou);
+  dot::SparseAssignWorkspace workspace;
+  const auto partner = [&](double z_car, double size, double z_van) {
+    return dot::associate({{&car, 1 / z_car, size}}, {{&van, 1 / z_van, 0}}, {}, workspace)[0];
+  };
+  EXPECT_EQ(partner(8.5, 1.3, 8), 0);
+  EXPECT_EQ(partner(8.5, 1.3, 4.5), -1);
+  EXPECT_EQ(partner(8.5, 1.3, 13), -1);
+  EXPECT_EQ(partner(8.5, 5, 4.5), 0) << "a long one";
+  EXPECT_EQ(partner(40, 1.3, 30), 0) << "a distant one, whose depth is uncertain";
+}
+
 TEST(Association, AcceptsASmallPartByContainment) {
   dot::MaskSettings settings;
   const Mask whole = rectangle(0, 0, 60, 20), part = rectangle(40, 5, 15, 10);

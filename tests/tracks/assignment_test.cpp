@@ -117,6 +117,19 @@ TEST(AssignmentByPlace, FindsWhatComesOutBesideItsOutline) {
   EXPECT_EQ(t.observed, &o);
 }
 
+// Assignment by place comes after the decisions.
+TEST(AssignmentByPlace, WhatTheCallerSaysMovesDoesSoAtOnce) {
+  Scene scene;
+  Track& t = scene.expect({10, 10, 20, 20}, 10, 3);
+  t.belief.state = dot::State::Static, t.belief.p_moving = 0.01;
+  scene.see({30, 10, 10, 20}).always_dynamic = true;
+  scene.by_place();
+  EXPECT_TRUE(t.belief.always_dynamic);
+  EXPECT_EQ(t.belief.state, dot::State::Moving);
+  EXPECT_EQ(t.belief.last_decided, dot::State::Moving);
+  EXPECT_EQ(t.belief.p_moving, 1);
+}
+
 TEST(AssignmentByPlace, RefusesWhatIsTooFarForItsSize) {
   for (const bool aside : {true, false}) {
     Scene scene;
@@ -125,6 +138,15 @@ TEST(AssignmentByPlace, RefusesWhatIsTooFarForItsSize) {
     scene.by_place();
     EXPECT_EQ(t.observed, nullptr) << (aside ? "5 m to the side" : "6 m behind");
   }
+}
+
+// A car 8 m away is not found again in a bus that passes 2 m before the camera, though it is as large as that distance.
+TEST(AssignmentByPlace, RefusesWhatPassesBeforeIt) {
+  Scene scene;
+  Track& t = scene.expect({10, 10, 20, 20}, 8, 4);
+  scene.see({10, 10, 80, 60}, 2);
+  scene.by_place();
+  EXPECT_EQ(t.observed, nullptr);
 }
 
 TEST(AssignmentByPlace, NeedsAPlace) {

@@ -44,7 +44,7 @@ class Assignment {
         if (tracks[j]->observed || !tracks[j]->expected.is_ahead()) continue;
         const Vector3<double>& then = tracks[j]->expected.at;
         const double size = tracks[j]->motion.size;
-        const double along = std::abs(now.z() / then.z() - 1) / std::max(settings.depth_tolerance, size / now.z());
+        const double along = std::abs(now.z() - then.z()) / std::max(settings.depth_tolerance * then.z(), size);
         if (!(along < 1)) continue;
         const double aside = (now.head<2>() / now.z() - then.head<2>() / then.z()).norm() * now.z() / size;
         if (aside < 1) workspace_.pairs.push_back({static_cast<int>(i), static_cast<int>(j), aside + along});
@@ -60,7 +60,8 @@ class Assignment {
   void assign_kind(const std::vector<Track*>& tracks, Observations& observations, bool discovered,
                    const MaskSettings& settings) {
     open_.clear(), predicted_.clear(), observed_.clear();
-    for (const Track* t : tracks) predicted_.push_back({&t->outline.warped.mask, t->expected.inverse_depth()});
+    for (const Track* t : tracks)
+      predicted_.push_back({&t->outline.warped.mask, t->expected.inverse_depth(), t->motion.size});
     for (Observation& o : observations.list)
       if (!o.assigned && o.discovered == discovered)
         open_.push_back(&o), observed_.push_back({&o.mask, o.inverse_depth()});

@@ -67,6 +67,19 @@ TEST(SupportingPlanes, RiseIsThatOfTheNearestPlane) {
   EXPECT_FALSE(planes.hold(80, 20, 1 / 19.0f, sigma));
 }
 
+// A car is 1.5 m high, and a tenth of the height from which a drone looks down.
+TEST(SupportingPlanes, FromTheAirDoNotHoldACar) {
+  dot::test::Random random(9);
+  Image<float> q(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) q(x, y) = static_cast<float>(1 / 15.0 + random.normal(sigma));
+  put(q, 70, 50, 90, 60, 1 / 13.7f);
+  const SupportingPlanes planes = found(q);
+  EXPECT_EQ(planes.count(), 1);
+  EXPECT_FALSE(planes.hold(80, 55, q(80, 55), sigma));
+  EXPECT_TRUE(planes.hold(30, 55, 1 / 14.8f, sigma));  // a kerb
+}
+
 // The side of a large thing has much behind it.
 TEST(SupportingPlanes, LargeThingIsNone) {
   Image<float> q = yard();

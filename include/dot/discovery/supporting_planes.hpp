@@ -19,10 +19,11 @@ DOT_BEGIN_NAMESPACE
 /// inverse depth over the image, q = a u + b v + c.
 class SupportingPlanes {
  public:
-  static constexpr int kMaxPlanes = 3;     ///< of a frame
-  static constexpr double kShare = 0.1;    ///< least share of the measurements on a plane
-  static constexpr double kBehind = 0.25;  ///< largest number behind it, relative to those on it
-  static constexpr double kRise = 0.1;     ///< lower points count as on it; relative to the nearest plane's distance
+  static constexpr int kMaxPlanes = 3;      ///< of a frame
+  static constexpr double kShare = 0.1;     ///< least share of the measurements on a plane
+  static constexpr double kBehind = 0.25;   ///< largest number behind it, relative to those on it
+  static constexpr double kRise = 0.1;      ///< lower points count as on it; relative to the nearest plane's distance
+  static constexpr double kMostRise = 0.3;  ///< metres, the same: from the air, cars are lower than kRise
 
   /// @param q inverse depth, 0 = none. @param camera of this image. @param sigma (q) -> standard deviation of q.
   /// @param use (x, y) -> bool: whether the pixel may support a plane.
@@ -163,7 +164,8 @@ class SupportingPlanes {
     };
     double nearest = 0;
     for (const Plane& p : planes_) nearest = std::max(nearest, inverse_distance(p));
-    for (Plane& p : planes_) p.rise = static_cast<float>(kRise * inverse_distance(p) / nearest);
+    const double rise = std::min(kRise, kMostRise * nearest);
+    for (Plane& p : planes_) p.rise = static_cast<float>(rise * inverse_distance(p) / nearest);
   }
 
   std::vector<Plane> planes_;

@@ -50,11 +50,10 @@ class DepthStep {
     constexpr double kClearly = 1.4;  // over the peak of no lag, and over those of all others
     constexpr double kHigh = 0.2;     // of the mean strength of edges
     double heights[2 * kMaxLag + 1];
+    for (int lag = -kMaxLag; lag <= kMaxLag; ++lag) heights[lag + kMaxLag] = height(lag);
     int best = 0;
-    for (int lag = -kMaxLag; lag <= kMaxLag; ++lag) {
-      heights[lag + kMaxLag] = height(lag);
+    for (int lag = -kMaxLag; lag <= kMaxLag; ++lag)
       if (heights[lag + kMaxLag] > heights[best + kMaxLag]) best = lag;
-    }
     const double highest = heights[best + kMaxLag];
     if (best == 0 || highest < kHigh || sums_[index(best, kMaxLag)][0].edges < kEdges) return 0;
     for (int lag = -kMaxLag; lag <= kMaxLag; ++lag)

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <exception>
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 #include <opencv2/core/utility.hpp>
@@ -22,7 +24,9 @@ struct Threads {
   ThreadPool pool;  ///< the host's; empty: OpenCV's, whose number of threads is not touched
 
   /// Calls work(worker, i) for 0 <= i < pieces. No two calls at the same time have the same `worker`, which is less
-  /// than max(1, count), so that each worker may have buffers of its own.
+  /// than max(1, count), so that each worker may have buffers of its own. If a piece throws, no further ones begin, and
+  /// its exception is thrown.
+  /// @throws std::runtime_error if the host's pool has not run its jobs.
   template <typename Work>
   void run(int pieces, Work&& work) const {
     const int workers = std::min(count, pieces);
@@ -31,8 +35,15 @@ struct Threads {
       return;
     }
     std::atomic<int> next{0};
+    std::atomic_flag failed = ATOMIC_FLAG_INIT;
+    std::exception_ptr failure;  // of the first piece that failed; not every pool hands exceptions on
     const auto take = [&](int worker) {
-      for (int i = next++; i < pieces; i = next++) work(worker, i);
+      try {
+        for (int i = next++; i < pieces; i = next++) work(worker, i);
+      } catch (...) {
+        next = pieces;
+        if (!failed.test_and_set()) failure = std::current_exception();
+      }
     };
     if (pool)
       pool(workers, std::ref(take));
@@ -43,6 +54,8 @@ struct Threads {
             for (int worker = range.start; worker < range.end; ++worker) take(worker);
           },
           workers);
+    if (failure) std::rethrow_exception(failure);
+    if (next < pieces) throw std::runtime_error("the host's thread pool has not run its jobs");
   }
 
   /// Calls work(worker, begin, end) for bands of rows, which together are 0 to `rows`. See `run`.

@@ -143,10 +143,11 @@ dot_status guard(dot_tracker* tracker, Body&& body) noexcept {
   return status;
 }
 
-/// Logs when the camera's motion becomes a guess, and when it is known again.
+/// Logs when the camera's motion becomes a guess, and when it is known again. A first frame has no motion.
 void log_camera(dot_tracker& tracker, std::uint32_t status) noexcept {
   const auto guessed = [](std::uint32_t s) { return s == DOT_CAMERA_LOST || s == DOT_CAMERA_TOO_LITTLE_DEPTH; };
   const std::uint32_t before = tracker.camera_status;
+  if (status == DOT_CAMERA_FIRST_FRAME) return;
   tracker.camera_status = status;
   if (status == DOT_CAMERA_LOST && before != status) {
     log(tracker, DOT_LOG_WARNING, "camera lost: its motion is guessed from the frames before");

@@ -33,6 +33,7 @@ struct Values {
   double graded = 0;   ///< share of masked pixels whose neighbour to the right is masked by another value
   double regions = 0;  ///< separate regions of a value
   int most = 0;        ///< values in a frame
+  int line = 0;        ///< a value that is a line of a few pixels in most frames; 0: there is none
 };
 
 /// Regions that are not small, and a good part of all pixels of their value.
@@ -48,12 +49,22 @@ int large_regions(const cv::Mat& of_value) {
   return large;
 }
 
+/// Whether pixels are nowhere more than six wide, and are no small thing.
+bool is_line(const cv::Mat& of_value, int pixels) {
+  constexpr int least = 300;
+  if (pixels < least) return false;
+  cv::Mat inner;
+  cv::erode(of_value, inner, cv::Mat::ones(7, 7, CV_8U));
+  return cv::countNonZero(inner) == 0;
+}
+
 constexpr int countable = 40;  ///< values in a frame
 
 Values look_at(const Samples& samples) {
   Values values;
   double masked = 0, graded = 0;
-  int regions = 0, shown = 0;
+  int regions = 0, shown = 0, frames = 0;
+  std::map<int, int> lines;  // value, frames
   for (std::size_t i = 0; i < samples.frames.size(); i += 2) {
     const Sample& frame = samples.frames[i];
     if (frame.ids.empty()) continue;
@@ -71,9 +82,16 @@ Values look_at(const Samples& samples) {
     }
     values.most = std::max(values.most, static_cast<int>(pixels.size()));
     if (pixels.size() > static_cast<std::size_t>(countable)) continue;
-    for (const auto& [value, count] : pixels)
-      if (const int large = large_regions(ids == value)) ++shown, regions += large;
+    ++frames;
+    for (const auto& [value, count] : pixels) {
+      const cv::Mat of_value = ids == value;
+      if (const int large = large_regions(of_value)) ++shown, regions += large;
+      lines[value] += is_line(of_value, count);
+    }
   }
+  constexpr int least_frames = 3;
+  for (const auto& [value, count] : lines)
+    if (count >= least_frames && 2 * count > frames) values.line = value;
   if (masked > 0) values.graded = graded / masked;
   if (shown > 0) values.regions = static_cast<double>(regions) / shown;
   return values;
@@ -92,6 +110,11 @@ Finding value_finding(const Samples& samples) {
                   number(100 * values.graded, 0) + " % of the masks' pixels have a neighbour of another value, up to " +
                       text(values.most) + " values in a frame: they look like probabilities or an image, not like ids.",
                   "Threshold the probabilities of each instance, and write its number where it is the likeliest.");
+  if (values.line != 0)
+    return faulty("masks-values", values.line, "value",
+                  "In most frames the value " + text(values.line) +
+                      " is a line of a few pixels: it looks like the border around instances that data sets call void.",
+                  "Set it to 0. The pixels of a border belong to no instance.");
   if (values.most == 0) return unknown("masks-values", "The masks are empty.");
   if (values.regions == 0 && values.most > countable)
     return unknown("masks-values",

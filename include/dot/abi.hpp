@@ -24,20 +24,25 @@ dot/tracker.hpp and the C library may be used with these flags."
 
 /// @def DOT_ABI_TAG
 /// Name of the inline namespace: eigen16, eigen32, eigen64, eigen0 or eigen_unaligned, after Eigen's alignment in
-/// bytes.
+/// bytes. With -D_GLIBCXX_DEBUG, which changes the layout of containers, _debug is added to it.
 #ifdef DOT_ABI_TAG
 #define DOT_HAS_OWN_ABI_TAG
 #else
-#if EIGEN_MAX_STATIC_ALIGN_BYTES == 0 && EIGEN_MAX_ALIGN_BYTES > 0
-#define DOT_ABI_TAG eigen_unaligned
-#elif EIGEN_MAX_ALIGN_BYTES >= 64
-#define DOT_ABI_TAG eigen64
-#elif EIGEN_MAX_ALIGN_BYTES >= 32
-#define DOT_ABI_TAG eigen32
-#elif EIGEN_MAX_ALIGN_BYTES >= 16
-#define DOT_ABI_TAG eigen16
+#ifdef _GLIBCXX_DEBUG
+#define DOT_ABI_TAG_OF(alignment) alignment##_debug  ///< tag of an alignment
 #else
-#define DOT_ABI_TAG eigen0
+#define DOT_ABI_TAG_OF(alignment) alignment  ///< tag of an alignment
+#endif
+#if EIGEN_MAX_STATIC_ALIGN_BYTES == 0 && EIGEN_MAX_ALIGN_BYTES > 0
+#define DOT_ABI_TAG DOT_ABI_TAG_OF(eigen_unaligned)
+#elif EIGEN_MAX_ALIGN_BYTES >= 64
+#define DOT_ABI_TAG DOT_ABI_TAG_OF(eigen64)
+#elif EIGEN_MAX_ALIGN_BYTES >= 32
+#define DOT_ABI_TAG DOT_ABI_TAG_OF(eigen32)
+#elif EIGEN_MAX_ALIGN_BYTES >= 16
+#define DOT_ABI_TAG DOT_ABI_TAG_OF(eigen16)
+#else
+#define DOT_ABI_TAG DOT_ABI_TAG_OF(eigen0)
 #endif
 #endif
 

@@ -16,8 +16,8 @@ namespace dot {
 
 /// The default pipeline, compiled (target `dot::dot`): no template, no Eigen and no OpenCV in its interface.
 ///
-/// Trackers are independent of one another. Only one thread at a time may use a given tracker. Buffers are allocated at
-/// the first frames and kept.
+/// Trackers are independent of one another. Only one thread at a time may use a given tracker; to read its
+/// Result is no use of it. Buffers are allocated at the first frames and kept.
 class DOT_EXPORT Tracker {
  public:
   /// @throws std::invalid_argument naming the field of `camera` or `options` that is out of range.
@@ -36,18 +36,18 @@ class DOT_EXPORT Tracker {
   const Result& track(const Frame& frame);
 
   /// `track` in two steps, for a host that waits for the labels: this one returns as soon as they are ready. The result
-  /// is valid until the next call but `prepare`, which sets its `too_little_depth`, `diagnosis` and time of
-  /// Stage::Points. If the next call prepares, these are never seen. @throws as `track`.
+  /// is valid until the next call. `prepare` alone does not end it: it sets its `too_little_depth`, `diagnosis` and
+  /// time of Stage::Points. Without that call these are never set. @throws as `track`.
   const Result& label(const Frame& frame);
 
   /// Prepares for the next frame what `label` left: points of the new one. Without this call the next one does it. May
   /// run in another thread while all other parts of the result are read. Does nothing if all is prepared.
-  /// @throws as `track`, but std::invalid_argument.
+  /// @throws what `track` throws, except std::invalid_argument.
   void prepare();
 
   /// Takes masks that arrive late, for an earlier frame that was given to `track` without masks. A network may take
   /// longer than a frame. The masks are moved to the present by all motions measured since, and appear in the next
-  /// result. The last result does not change, but for what `prepare` sets. Masks must come in the order of their
+  /// result. The last result does not change, except for what `prepare` sets. Masks must come in the order of their
   /// frames, for frames after the last segmented one, and at most Options::mask.late_seconds late.
   /// @param frame_id Frame::id; the newest, if several frames have it.
   /// @throws std::invalid_argument naming the bad field, or frame_id if it is none of these frames; the tracker is then
@@ -59,8 +59,8 @@ class DOT_EXPORT Tracker {
   /// Forgets all frames and objects. Keeps the buffers and never reuses an id.
   void reset() noexcept;
 
-  /// Lends the host's threads, of which Options::threads are used. Without this call, or for an empty pool, OpenCV's
-  /// threads are used.
+  /// Lends the host's threads, of which Options::threads are used; with one, none are. Without this call, or for an
+  /// empty pool, OpenCV's threads are used.
   void set_pool(ThreadPool pool);
 
   /// The settings given to the constructor.

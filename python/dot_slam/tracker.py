@@ -81,7 +81,7 @@ class Tracker:
         self._check_create(lib.dot_create(ctypes.byref(_c_camera(camera)), ctypes.byref(c_options),
                                           ctypes.byref(handle)))
         self._lock = threading.Lock()
-        self._owner = 0
+        self._owner = 0  # the thread of the last call
         self._handle = handle
         self._destroy = weakref.finalize(self, lib.dot_destroy, handle)
         self._destroy.atexit = False  # a thread may still be at work, and memory goes back anyway
@@ -126,7 +126,9 @@ class Tracker:
 
     def prepare(self) -> None:
         """Prepares for the next frame what label left: points of the new one. Does nothing if all is prepared."""
-        with _Use(self) as handle:
+        self._refuse_if_busy()
+        with self._lock:
+            handle = self._begin()
             self._check(lib.dot_prepare(handle))
 
     def submit_masks(self, frame_id: int, masks: MasksLike) -> None:
@@ -138,7 +140,9 @@ class Tracker:
             raise invalid("masks", "is None; for a network that found nothing use []")
         views = MaskViews(masks, self._shape)
         id = _frame_id(frame_id)
-        with _Use(self) as handle:
+        self._refuse_if_busy()
+        with self._lock:
+            handle = self._begin()
             self._check(lib.dot_submit_masks(handle, id, ctypes.byref(views.struct)))
 
     def exclusion_mask(self, *, not_observable: bool = True, static: bool = False, dilation: int = 2,
@@ -153,18 +157,22 @@ class Tracker:
         policy = c.ExclusionPolicy(dilation=pixels, flags=(c.EXCLUDE_NOT_OBSERVABLE if not_observable else 0)
                                    | (c.EXCLUDE_STATIC if static else 0) | (c.EXCLUDE_INVERTED if inverted else 0))
         out = np.empty(self._shape, np.uint8)
-        with _Use(self) as handle:
+        self._refuse_if_busy()
+        with self._lock:
+            handle = self._begin()
             self._check(lib.dot_exclusion_mask(handle, ctypes.byref(policy), *_buffer(out)))
         return out
 
     def reset(self) -> None:
         """Forgets all frames and objects. Ids are not used again."""
-        with _Use(self) as handle:
+        self._refuse_if_busy()
+        with self._lock:
+            handle = self._begin()
             self._check(lib.dot_reset(handle))
 
     def close(self) -> None:
         """Frees the tracker, after a call on another thread has ended. Calling it again does nothing."""
-        if self._owner == threading.get_ident():
+        if self._lock.locked() and self._owner == threading.get_ident():
             raise errors.Busy("close was called from within a call on this tracker")
         with self._lock:
             self._destroy()
@@ -183,6 +191,19 @@ class Tracker:
     def __reduce__(self) -> NoReturn:
         raise TypeError("a Tracker cannot be copied or pickled")
 
+    # What follows dot_track must still be of its frame, so a lock is held for the whole call. It is taken by `with
+    # self._lock` alone: an interrupt from the keyboard inside a function that takes it would leave it taken.
+
+    def _refuse_if_busy(self) -> None:
+        if self._lock.locked():
+            raise errors.Busy("another call on this tracker has not ended")
+
+    def _begin(self) -> ctypes.c_void_p:
+        self._owner = threading.get_ident()
+        if self.closed:
+            raise errors.Closed("the tracker is closed")
+        return self._handle
+
     def _run(self, call: abc.Callable[..., int], image: npt.ArrayLike, depth: npt.ArrayLike, masks: MasksLike | None,
              timestamp: float, frame_id: int | None, camera_motion: CameraMotion | None,
              camera_prior: npt.ArrayLike | None) -> Result:
@@ -199,7 +220,9 @@ class Tracker:
         if camera_prior is not None:
             prior = _arrays.transform(camera_prior, "camera_prior")
             frame.camera_prior = prior.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
-        with _Use(self) as handle:
+        self._refuse_if_busy()
+        with self._lock:
+            handle = self._begin()
             self._check(call(handle, ctypes.byref(frame)))
             self._next_id = id + 1
             return self._result(handle)
@@ -235,29 +258,6 @@ class Tracker:
     def _check_create(status: int) -> None:
         if status != 0:
             raise errors.from_library(status, lib.dot_create_error().decode(errors="replace"))
-
-
-class _Use:
-    """Holds a tracker for a call: what follows dot_track must still be of its frame."""
-
-    __slots__ = ("_tracker",)
-
-    def __init__(self, tracker: Tracker) -> None:
-        self._tracker = tracker
-
-    def __enter__(self) -> ctypes.c_void_p:
-        tracker = self._tracker
-        if not tracker._lock.acquire(blocking=False):
-            raise errors.Busy("another call on this tracker has not ended")
-        if tracker.closed:
-            tracker._lock.release()
-            raise errors.Closed("the tracker is closed")
-        tracker._owner = threading.get_ident()
-        return tracker._handle
-
-    def __exit__(self, *_: Any) -> None:
-        self._tracker._owner = 0
-        self._tracker._lock.release()
 
 
 def _buffer(array: npt.NDArray[Any]) -> tuple[int, int, int, int]:

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 
 #include "support/synthetic_scene.hpp"
@@ -58,6 +59,19 @@ TEST(PointCosts, WithoutSharedPointsEachCountsWhatItSees) {
   EXPECT_EQ(costs.best(0), 1u);
   EXPECT_TRUE(std::isinf(costs.ratio(2, 0)));
   EXPECT_EQ(costs.ratio(0, 2), 0);
+}
+
+// Two equal images leave no costs. A host may have the processor trap 0 / 0.
+TEST(PointCosts, WithoutAnyCostAreEqual) {
+  std::feclearexcept(FE_ALL_EXCEPT);
+  const PointCosts costs = costs_of({{points(200, 0), points(200, 0), points(200, 1), points(30, 0), points(200, -1)}});
+  EXPECT_EQ(costs.ratio(0, 1), 1);
+  EXPECT_EQ(costs.ratio(3, 3), 1);
+  EXPECT_EQ(costs.ratio(4, 4), 1);
+  EXPECT_EQ(costs.ratio(0, 2), 0);
+  EXPECT_TRUE(std::isinf(costs.ratio(2, 0)));
+  EXPECT_EQ(costs.best(0), 0u);
+  EXPECT_EQ(std::fetestexcept(FE_INVALID | FE_DIVBYZERO), 0);
 }
 
 TEST(PointCosts, TheFirstOfEqualsIsTheBest) {

@@ -174,6 +174,13 @@ TEST(PinholeArguments, BadOnesAreNamed) {
     changed.height = bad;
     EXPECT_EQ(complaint(changed), "intrinsics.height must be 16 to 32768");
   }
+  {
+    Intrinsics changed = street;
+    changed.width = 32768, changed.height = 8192;
+    EXPECT_EQ(complaint(changed), "");
+    changed.height = 8193;
+    EXPECT_EQ(complaint(changed), "intrinsics.width times height must be at most 2^28 pixels");
+  }
 }
 
 TEST(PinholeArguments, GoodOnesAreKept) {

@@ -77,7 +77,7 @@ TEST(MotionChoice, LeastCostWinsWhereNothingElseExplainsMuch) {
   EXPECT_EQ(choice.chosen, 0u);
   EXPECT_FALSE(choice.rival);
   EXPECT_GT(walls.minima[0].margin, 0.5);
-  EXPECT_EQ(choice.doubt.norm(), 0);
+  EXPECT_EQ(choice.added_variance.norm(), 0);
 }
 
 // The right wall has five times as many points, but covers a part of the image only.
@@ -87,7 +87,7 @@ TEST(MotionChoice, AreaWinsOverTexture) {
   const MotionChoice choice = walls.choose(all);
   EXPECT_EQ(choice.chosen, 0u);
   EXPECT_EQ(choice.rival, 1u);
-  EXPECT_EQ(choice.doubt.norm(), 0) << "a clear majority";
+  EXPECT_EQ(choice.added_variance.norm(), 0) << "a clear majority";
 }
 
 TEST(MotionChoice, ObjectsThatStandHaveAVote) {
@@ -126,8 +126,8 @@ TEST(MotionChoice, CloseVotesAreADoubtOfTheDistanceBetweenTheTwo) {
   const PointSet all = TwoWalls::both(walls.points(false, 7), walls.points(true, 7));
   const MotionChoice choice = walls.choose(all);
   ASSERT_TRUE(choice.rival);
-  EXPECT_NEAR(choice.doubt[0], TwoWalls::kShift * TwoWalls::kShift, 1e-9);
-  EXPECT_NEAR(choice.doubt[2], TwoWalls::kShift * TwoWalls::kShift, 1e-9);
+  EXPECT_NEAR(choice.added_variance[0], TwoWalls::kShift * TwoWalls::kShift, 1e-9);
+  EXPECT_NEAR(choice.added_variance[2], TwoWalls::kShift * TwoWalls::kShift, 1e-9);
   EXPECT_LT(walls.minima[choice.chosen].margin, 0.15);
 }
 
@@ -141,7 +141,7 @@ TEST(MotionChoice, ACameraThatStandsNeedsNoMajority) {
   const MotionChoice choice = walls.choose(all);
   EXPECT_EQ(choice.chosen, 0u);
   EXPECT_EQ(choice.rival, 1u);
-  EXPECT_EQ(choice.doubt.norm(), 0);
+  EXPECT_EQ(choice.added_variance.norm(), 0);
   EXPECT_TRUE(walls.minima[0].stands);
   EXPECT_GT(walls.minima[0].margin, 0.15);
   EXPECT_EQ(walls.choose(all, walls.minima[1].state.T, 0.1).chosen, 1u) << "it cannot have stopped";

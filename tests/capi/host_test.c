@@ -136,9 +136,25 @@ static void test_log(void) {
   CHECK(track_next(tracker, s) == DOT_OK);
   CHECK(j.count == 3 && j.level == DOT_LOG_INFO);
 
+  /* The first frame after a gap has no motion that could be known. */
+  for (y = 0; y < HEIGHT; ++y)
+    for (x = 0; x < WIDTH; ++x) s->grey[y][x] = 100;
+  CHECK(track_next(tracker, s) == DOT_OK);
+  CHECK(j.count == 4 && j.level == DOT_LOG_WARNING);
+  {
+    const dot_frame frame = s->frame;
+    make_scene(s);
+    s->frame.id = frame.id;
+    s->frame.timestamp = frame.timestamp + 100;
+  }
+  CHECK(track_next(tracker, s) == DOT_OK);
+  CHECK(j.count == 4);
+  CHECK(track_next(tracker, s) == DOT_OK);
+  CHECK(j.count == 5 && j.level == DOT_LOG_INFO);
+
   CHECK(dot_set_log(tracker, NULL, NULL) == DOT_OK);
   CHECK(dot_track(tracker, NULL) == DOT_INVALID_ARGUMENT);
-  CHECK(j.count == 3);
+  CHECK(j.count == 5);
   free(s);
   dot_destroy(other);
   dot_destroy(tracker);

@@ -349,6 +349,15 @@ TEST(CheckMasks, FindsSizeValuesAndLag) {
   for (auto& frame : classes.frames) cv::min(frame.ids, 1, frame.ids);
   expect_fault(find(check::check_masks(classes), "masks-values"), 3, 0.5);
 
+  Samples bordered = made_samples();  // as data sets with a border that belongs to no instance
+  for (auto& frame : bordered.frames) {
+    cv::Mat wide, rim;
+    cv::dilate(frame.ids, wide, cv::Mat::ones(5, 5, CV_8U));
+    rim = (wide > 0) & (frame.ids == 0);
+    frame.ids.setTo(255, rim);
+  }
+  expect_fault(find(check::check_masks(bordered), "masks-values"), 255, 0);
+
   Samples probabilities = made_samples();
   for (auto& frame : probabilities.frames) {
     frame.ids = (frame.ids > 0);

@@ -113,6 +113,16 @@ TEST(Watch, NoticesRepeatedImages) {
   EXPECT_NEAR(look(setting).figure, 0.25, 0.07);
 }
 
+TEST(Watch, TakesOneRepeatedImageForAnAccident) {
+  dot::Watch watch;
+  const dot::DepthNoise noise(dot::DepthNoiseSettings{}, dot::Intrinsics{300, 300, 160, 120, kWidth, kHeight, 0});
+  for (int i = 0; i < 30; ++i) {
+    dot::FrameData frame = scene(100 + i);
+    frame.repeats = i == 3;
+    EXPECT_EQ(watch.look(frame, noise, i > 0 ? 0.1 : 0, 1, false).reason, Suspicion::None) << i;
+  }
+}
+
 // Without noise, all images of a camera that stands are the same. A driver that hangs repeats its last one for longer.
 TEST(Watch, TellsAnImageThatStaysFromACameraThatStandsForAWhile) {
   dot::Watch watch;

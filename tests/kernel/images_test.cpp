@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <limits>
 #include <utility>
 
@@ -53,6 +54,21 @@ TEST(ImageKernels, InvertDepth) {
         }
       }
     }
+}
+
+// A host may have the processor trap divisions by zero; pixels without depth are in each frame.
+TEST(ImageKernels, DivideByNoHole) {
+  float metres[37] = {}, out[37];
+  unsigned short words[37] = {};
+  metres[5] = 1e-42f, metres[7] = 2, metres[30] = -1, words[7] = 512, words[36] = 65535;
+  for (const kernel::Kernels* k : kernel_variants()) {
+    std::feclearexcept(FE_ALL_EXCEPT);
+    k->invert_floats(metres, 37, {1, 0.001f, 80}, out);
+    EXPECT_EQ(out[7], 0.5f) << k->name;
+    k->invert_words(words, 37, {256, 0.256f, 80 * 256}, out);
+    EXPECT_EQ(out[7], 0.5f) << k->name;
+    EXPECT_EQ(std::fetestexcept(FE_DIVBYZERO | FE_OVERFLOW | FE_INVALID), 0) << k->name;
+  }
 }
 
 TEST(ImageKernels, TakeBias) {

@@ -127,6 +127,8 @@ class Boxes {
  public:
   Boxes() : filled_(kWidth, kHeight) { filled_.fill(255); }
 
+  dot::ImageRef ids;  ///< of an image of ids beside the list
+
   void add(std::uint32_t id, const std::array<int, 4>& box, float score = 1) {
     dot::Instance& out = list_.emplace_back();
     out.id = id;
@@ -137,6 +139,7 @@ class Boxes {
   const dot::Observations& read() {
     dot::Masks masks;
     masks.instances = {list_.data(), list_.size()};
+    masks.ids = ids;
     observations_.list.clear();
     observations_.count("masks", masks, 10, kWidth, kHeight);
     observations_.read(masks, two_things().inverse_depth, dot::Pinhole(box_scene::kIntrinsics), Noise{});
@@ -191,6 +194,19 @@ TEST(SharedPixels, OfTwoMasksOfOneObjectTheSurerOneStays) {
   neighbours.add(2, {46, 10, 12, 40}, 0.5f);
   EXPECT_EQ(neighbours.area(1), 480);
   EXPECT_EQ(neighbours.area(2), 480);
+}
+
+// An image of ids alone has one id for each pixel. With masks beside it a pixel may have two.
+TEST(SharedPixels, OfAnImageOfIdsAndOfMasksBesideItAreSeparated) {
+  dot::Image<std::uint8_t> image(kWidth, kHeight);
+  for (int y = 10; y < 50; ++y)
+    for (int x = 30; x < 60; ++x) image(x, y) = 7;
+  Boxes boxes;
+  boxes.ids = {image.row(0), kWidth, kHeight, kWidth, dot::PixelFormat::Id8};
+  EXPECT_EQ(boxes.area(7), 1200);
+  boxes.add(1, {20, 20, 20, 20});
+  EXPECT_EQ(boxes.area(1), 400);
+  EXPECT_EQ(boxes.area(7), 1000);
 }
 
 TEST(SharedPixels, OfAListOfBoxesAreSeparatedAsTheyAreRead) {

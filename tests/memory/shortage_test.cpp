@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "dot/dot.h"
+#include "dot/tracker.hpp"
 #include "fuzz/scene.hpp"
 #include "fuzz/views.hpp"
 #include "memory/allocation_counter.hpp"
@@ -153,7 +154,9 @@ class Life {
   /// Whether one of the objects is there by its motion alone.
   bool look() {
     dot_object object = DOT_OBJECT_INIT;
-    for (std::uint32_t i = 0; dot_get_object(tracker_, i, &object) == DOT_OK; ++i)
+    std::uint32_t count = 0;
+    dot_object_count(tracker_, &count);
+    for (std::uint32_t i = 0; i < count && dot_get_object(tracker_, i, &object) == DOT_OK; ++i)
       discovered_ = discovered_ || (object.flags & DOT_OBJECT_DISCOVERED) != 0;
     return true;
   }
@@ -229,5 +232,42 @@ TEST(OutOfMemory, OnceInOneThread) { try_all(1, MemoryShortage::Once, every); }
 TEST(OutOfMemory, LastingInOneThread) { try_all(1, MemoryShortage::Lasting, every); }
 TEST(OutOfMemory, OnceInFourThreads) { try_all(4, MemoryShortage::Once, every); }
 TEST(OutOfMemory, LastingInFourThreads) { try_all(4, MemoryShortage::Lasting, every); }
+
+// Each call that fails for a lack of memory leaves the tracker as after a reset: its clock may start again.
+TEST(OutOfMemory, ResetsATracker) {
+  std::vector<std::uint8_t> grey(kWidth * kHeight), ids(kWidth * kHeight);
+  std::vector<float> depth(kWidth * kHeight, 5.f);
+  for (std::size_t i = 0; i < grey.size(); ++i) {
+    grey[i] = static_cast<std::uint8_t>(i * 2654435761u >> 24);
+    ids[i] = i % kWidth > 20 && i % kWidth < 40;
+  }
+  const auto frame_at = [&](double timestamp) {
+    dot::Frame frame;
+    frame.timestamp = timestamp;
+    frame.image = {grey.data(), kWidth, kHeight, kWidth, dot::PixelFormat::Grey8};
+    frame.depth = {depth.data(), kWidth, kHeight, 4 * kWidth, dot::PixelFormat::DepthF32};
+    return frame;
+  };
+  bool reached = true;
+  int failed = 0;
+  for (long k = 0; reached; k += every) {
+    dot::Tracker tracker({kFocal, kFocal, 0.5 * kWidth, 0.5 * kHeight, kWidth, kHeight, 0}, {});
+    tracker.track(frame_at(1));
+    dot::Frame next = frame_at(1.1);
+    next.masks = dot::Masks{{ids.data(), kWidth, kHeight, kWidth, dot::PixelFormat::Id8}, {}};
+    MemoryShortage shortage(k, MemoryShortage::Once);
+    bool done = true;
+    try {
+      tracker.track(next);
+    } catch (const std::bad_alloc&) {
+      done = false;
+    }
+    reached = shortage.reached();
+    shortage.end();
+    failed += !done;
+    if (!done) EXPECT_NO_THROW(tracker.track(frame_at(0))) << "after allocation " << k;
+  }
+  EXPECT_GT(failed, 5);
+}
 
 }  // namespace

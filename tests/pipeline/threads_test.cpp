@@ -3,6 +3,7 @@
 #include "dot/threads/threads.hpp"
 
 #include <atomic>
+#include <new>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -56,6 +57,39 @@ TEST(Threads, BandsAreAllRowsOnce) {
     });
     for (const auto& n : done) EXPECT_EQ(n, 1) << rows << " rows";
   }
+}
+
+// Few pools of a host hand on what a job throws.
+TEST(Threads, AnExceptionOfAPieceIsThrownWhateverThePoolDoesWithIt) {
+  for (const bool host : {false, true}) {
+    Threads threads;
+    threads.count = 3;
+    if (host) {
+      threads.pool = [](int count, const std::function<void(int)>& job) {
+        host_pool(count, [&job](int i) {
+          try {
+            job(i);
+          } catch (...) {
+          }
+        });
+      };
+    }
+    std::atomic<int> begun{0};
+    const auto work = [&](int, int i) {
+      ++begun;
+      if (i == 3) throw std::bad_alloc();
+    };
+    EXPECT_THROW(threads.run(100000, work), std::bad_alloc);
+    EXPECT_LT(begun, 100000) << "pieces begin after one has failed";
+  }
+}
+
+TEST(Threads, APoolThatRunsNothingIsNoticed) {
+  Threads threads;
+  threads.count = 2;
+  threads.pool = [](int, const std::function<void(int)>&) {};
+  EXPECT_THROW(threads.run(5, [](int, int) {}), std::runtime_error);
+  EXPECT_NO_THROW(threads.run(1, [](int, int) {}));
 }
 
 TEST(Threads, OneRunsInTheCallersThreadAndInOrder) {

@@ -3,6 +3,7 @@
 """Trackers of several threads run at the same time; one tracker is for one thread at a time."""
 
 import logging
+import signal
 import sys
 import threading
 import time
@@ -135,3 +136,29 @@ def test_close_waits_for_the_call():
     result, _ = track_without_depth(tracker, close)
     threads[0].join(10)
     assert tracker.closed and result.labels.shape == (demo.HEIGHT, demo.WIDTH)
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no timer of signals")
+def test_an_interrupt_leaves_the_tracker_usable(tracker):
+    """Ctrl-C may come between any two instructions."""
+
+    class Interrupt(Exception):
+        pass
+
+    def interrupt(*_):
+        raise Interrupt
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    try:
+        for i in range(1000):
+            try:
+                signal.setitimer(signal.ITIMER_REAL, 1e-5 * (1 + i % 20))
+                while True:
+                    tracker.reset()
+            except Interrupt:
+                pass
+            assert not tracker._lock.locked(), f"interrupt {i}"
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert track(tracker, 0).frame_id == 0

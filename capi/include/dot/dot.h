@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
-#pragma once
+#ifndef DOT_DOT_H
+#define DOT_DOT_H
 
 #include <stdint.h>
 
@@ -502,3 +503,5 @@ DOT_API const char* dot_last_error(const dot_tracker* tracker) DOT_NOEXCEPT;
 #ifdef __cplusplus
 }
 #endif
+
+#endif /* DOT_DOT_H */

@@ -37,11 +37,14 @@ class PointCosts {
   const std::vector<float>& of(std::size_t place) const { return costs_[place]; }
 
   /// Cost of a place over that of another: of the points that both see or, if these are too few, of those that each
-  /// sees.
+  /// sees. 1 where both are zero, as between two equal images.
   double ratio(std::size_t place, std::size_t other) const {
     const Sum shared = sum(place, other);
-    if (shared.count >= kShared) return shared.cost / sum(other, place).cost;
-    return sum(place, place).mean() / sum(other, other).mean();
+    const bool enough = shared.count >= kShared;
+    const double cost = enough ? static_cast<double>(shared.cost) : sum(place, place).mean();
+    const double by = enough ? static_cast<double>(sum(other, place).cost) : sum(other, other).mean();
+    if (cost == by) return 1;  // also 0 / 0, which a host may trap
+    return by > 0 ? cost / by : std::numeric_limits<double>::infinity();
   }
 
   /// The place, of those not removed, that no other place beats by this share of the cost, if there is one. Earlier

@@ -15,7 +15,7 @@ DOT_BEGIN_NAMESPACE
 
 /// @file
 /// Depth noise, a policy of the pipeline. It is any struct with the following const members. Each returns a standard
-/// deviation in 1/m for an inverse depth q in 1/m. A greater q has no smaller deviation.
+/// deviation in 1/m for an inverse depth q in 1/m. It must not decrease with q.
 ///
 ///     double pixel_sigma(double q);          // of one pixel
 ///     double shared_sigma(double q);         // of the error that an object's pixels share

@@ -23,6 +23,7 @@ inline void validate(const Intrinsics& camera) {
   require(std::abs(camera.cy) <= 1e6, "intrinsics.cy must be finite, at most 1e6 pixels");
   require(camera.width >= 16 && camera.width <= 32768, "intrinsics.width must be 16 to 32768");
   require(camera.height >= 16 && camera.height <= 32768, "intrinsics.height must be 16 to 32768");
+  require(1.0 * camera.width * camera.height <= 1 << 28, "intrinsics.width times height must be at most 2^28 pixels");
   require(camera.baseline == 0 || (camera.baseline >= 1e-4 && camera.baseline <= 10),
           "intrinsics.baseline must be 0 or 1e-4 to 10 metres");
 }

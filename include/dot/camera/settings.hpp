@@ -14,7 +14,7 @@ enum class DepthSource : std::uint8_t {
   Lidar     ///< noise is constant in range, with a share for the interpolation between the beams
 };
 
-/// Priors of the depth noise. The size of the noise is estimated online; these are its start and its bounds.
+/// Priors of the depth noise. The size of the noise is estimated online and starts from these.
 struct DepthNoiseSettings {
   DepthSource source = DepthSource::Unknown;  ///< where the depth comes from
   double stereo_sigma_px = 0.3;               ///< disparity noise of one pixel

@@ -238,7 +238,7 @@ struct CameraMotionEstimator {
     a.margin = candidates[choice.chosen].margin;
     a.stands = candidates[choice.chosen].stands;
     aligner.reject_outliers_and_refit(rest, a, true);
-    a.covariance.diagonal().template head<6>() += choice.doubt;
+    a.covariance.diagonal().template head<6>() += choice.added_variance;
     return a;
   }
 

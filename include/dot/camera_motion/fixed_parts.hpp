@@ -19,8 +19,8 @@
 DOT_BEGIN_NAMESPACE
 
 /// Finds the parts of the image that do not move with the scene: the bonnet of the own car, an arm of the robot, the
-/// border of an undistorted image, a caption, dirt on the lens. Their edges fit a camera that stands perfectly. With
-/// points on them the camera's motion is zero, or turns about them.
+/// border of an undistorted image, a caption, dirt on the lens. Their edges agree exactly with a camera that stands.
+/// With points on them the camera's motion is zero, or turns about them.
 ///
 /// What is far stays in the image as well, so an edge that stays is suspected only if many edges that are at least as
 /// far move. What the camera moves to or turns about stays, too, and edges along their own motion in the image, such as

@@ -45,7 +45,7 @@ class MotionChoice {
   std::optional<std::size_t> rival;  ///< the one in contest with it over which its lead is least, if any
   /// Variance of each component of the chosen motion's left twist, if the votes are close: the squared distance to its
   /// rival, of translation and of rotation. Otherwise zero.
-  Vector6<double> doubt = Vector6<double>::Zero();
+  Vector6<double> added_variance = Vector6<double>::Zero();
 
   /// Chooses, and sets the margin of the chosen minimum over the next best.
   /// @param candidates at least one, aligned on level 0. @param predicted motion at constant velocity, if it is known.
@@ -108,7 +108,7 @@ class MotionChoice {
     });
     if (least < kMajority) {
       const Vector6<double> d = (candidates[*rival].state.T * a.state.T.inverse()).log();
-      doubt << Vector3<double>::Constant(d.head<3>().squaredNorm()),
+      added_variance << Vector3<double>::Constant(d.head<3>().squaredNorm()),
           Vector3<double>::Constant(d.tail<3>().squaredNorm());
     }
   }

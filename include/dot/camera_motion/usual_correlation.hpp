@@ -9,8 +9,8 @@
 DOT_BEGIN_NAMESPACE
 
 /// The correlation of tracked intensities that the last intervals had. After a jolt the alignment from constant
-/// velocity ends in a minimum nearby that correlates worse, though far better than the least that is accepted. What the
-/// images' noise allows is the same as before.
+/// velocity ends in a minimum nearby that correlates worse, though far better than the least that is accepted. The
+/// highest correlation that the images' noise allows has not changed.
 class UsualCorrelation {
  public:
   /// Whether an interval correlates so much worse than those before that its motion may be wrong.

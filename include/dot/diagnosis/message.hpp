@@ -5,10 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <string>
 
 #include "dot/diagnosis/diagnosis.hpp"
+#include "dot/frame/number_text.hpp"
 
 namespace dot {
 
@@ -44,9 +44,8 @@ inline std::string describe(const Diagnosis& diagnosis) {
     return {"", ""};
   }();
   if (*words.meaning == '\0') return {};
-  char figure[64];
-  std::snprintf(figure, sizeof figure, " (%.3g %s): ", diagnosis.figure, words.unit);
-  return std::string(to_string(diagnosis.reason)) + figure + words.meaning;
+  return std::string(to_string(diagnosis.reason)) + " (" + to_text(diagnosis.figure, 3) + " " + words.unit +
+         "): " + words.meaning;
 }
 
 /// Tells a host which diagnoses to print: one line when a suspicion appears, not one with every frame. A suspicion that

@@ -61,7 +61,7 @@ class Watch {
     if (row_turn > 0) row_turn_ = row_turn;
 
     if (gaps_.share() > 0.5) return {Suspicion::ImplausibleTimes, seconds};
-    if (repeats_.share() >= kRepeats) return {Suspicion::RepeatedImages, repeats_.share()};
+    if (repeats_.times() > 1 && repeats_.share() >= kRepeats) return {Suspicion::RepeatedImages, repeats_.share()};
     if (run_ >= Share::kFrames) return {Suspicion::RepeatedImages, 1};
     if (few_points_.share() > 0.5) {
       // Depth may come with some of the frames alone, so that this frame does not tell what the others lack.
@@ -97,11 +97,14 @@ class Watch {
       bits = (bits << 1 | (value ? 1u : 0u)) & ((1u << kFrames) - 1);
       count = std::min(count + 1, kFrames);
     }
-    double share() const {
+    int times() const {
       int ones = 0;
       for (std::uint32_t b = bits; b != 0; b &= b - 1) ++ones;
+      return ones;
+    }
+    double share() const {
       constexpr int kEnough = 8;
-      return count < kEnough ? 0 : static_cast<double>(ones) / count;
+      return count < kEnough ? 0 : static_cast<double>(times()) / count;
     }
   };
 

@@ -22,7 +22,7 @@ struct Instance {
   int x = 0;                    ///< pixels
   int y = 0;                    ///< pixels
   std::int32_t class_id = -1;   ///< the caller's, -1 = unknown
-  float score = 1;              ///< of the network; of masks that show the same the highest counts
+  float score = 1;              ///< of the network; of two masks of one object the one with the higher score is kept
   bool always_dynamic = false;  ///< people and other non-rigid objects: always reported as moving (paper, section 3.2)
 };
 
@@ -41,13 +41,13 @@ struct CameraMotion {
   std::array<double, 36> covariance{};
 };
 
-/// One frame. All views are borrowed for the duration of `track`.
+/// One frame. All views are borrowed for the duration of `track` or `label`.
 struct Frame {
-  std::uint64_t id = 0;  ///< the caller's number of the frame, returned in the result
-  double timestamp = 0;  ///< seconds, strictly increasing
-  ImageRef image;        ///< Grey8, Bgr8, Rgb8 or Bgra8
-  ImageRef depth;        ///< DepthF32 or DepthU16; zero, negative, NaN, infinite, 65535 of 16 bits = no measurement
-  std::optional<Masks> masks;                 ///< absent: no segmentation for this frame, or not yet
+  std::uint64_t id = 0;        ///< the caller's number of the frame, returned in the result
+  double timestamp = 0;        ///< seconds, strictly increasing
+  ImageRef image;              ///< Grey8, Bgr8, Rgb8 or Bgra8
+  ImageRef depth;              ///< DepthF32 or DepthU16; up to 1 mm, NaN, infinite, 65535 of 16 bits = no measurement
+  std::optional<Masks> masks;  ///< absent: no segmentation for this frame, or not yet
   std::optional<CameraMotion> camera_motion;  ///< absent: estimated from the image
   /// Start of that estimate, from odometry or an IMU: T_cur_prev, row-major 3x4. Absent: constant velocity alone.
   std::optional<std::array<double, 12>> camera_prior;

@@ -21,7 +21,7 @@ struct FrameData {
   int repeats = 0;       ///< frames before it, without a gap, that have the same image
 
   /// Whether the image is that of the frame before because a driver or a host repeated it. Such a frame says nothing
-  /// about motion. Where an image stays for longer, the camera stands and has no noise.
+  /// about motion. A longer run comes from a camera that stands and has no noise.
   bool is_repeated() const { return repeats > 0 && repeats <= kLongestRun; }
 
   static constexpr int kLongestRun = 4;  ///< images that a driver repeats in a row

@@ -16,8 +16,8 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Tells an image that was taken before from a new one, though a codec may have changed it. Drivers and conversions of
-/// the frame rate repeat images, and a video codec then gives them other noise.
+/// Detects repeated images, also if a video codec has changed their noise. Drivers and conversions of the frame rate
+/// repeat images.
 ///
 /// In a repeated image nothing moves, not even what moved since the image before it. The change of the image is
 /// compared by cells of a grid, each without the change a + b I of its light. What is left of d = I_now - I_before in a

@@ -42,7 +42,7 @@ struct StripWave {
     StripWave best, wave;
     Values distances;
     StripWave flat;
-    if (!flat.level(values, distances) || flat.distance(values, distances) < kLeastDistance * least_amplitude)
+    if (!flat.fit_constant(values, distances) || flat.distance(values, distances) < kLeastDistance * least_amplitude)
       return best;
     double least = std::numeric_limits<double>::infinity();
     const auto attempt = [&](double p) {
@@ -75,7 +75,7 @@ struct StripWave {
       solve(values, weights, harmonic);
     }
     StripWave flat;
-    if (!flat.level(values, distances)) return;
+    if (!flat.fit_constant(values, distances)) return;
     const double about_flat = flat.distance(values, distances);
     explained = about_flat > 0 ? 1 - distance(values, distances) / about_flat : 0;
   }
@@ -115,7 +115,7 @@ struct StripWave {
     return n ? static_cast<double>(median(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(n))) : 0;
   }
   /// Sets the constant to the median. @return whether there are enough values.
-  bool level(const Values& values, Values& sorted) {
+  bool fit_constant(const Values& values, Values& sorted) {
     const auto end = std::remove_copy(values.begin(), values.end(), sorted.begin(), kNone);
     if (end - sorted.begin() < kLeastStrips) return false;
     terms[0] = static_cast<double>(median(sorted.begin(), end));

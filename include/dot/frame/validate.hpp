@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <initializer_list>
 #include <stdexcept>
@@ -16,26 +15,13 @@
 #include "dot/abi.hpp"
 #include "dot/frame/field_name.hpp"
 #include "dot/frame/frame.hpp"
+#include "dot/frame/number_text.hpp"
 
 DOT_BEGIN_NAMESPACE
 
 /// Throws std::invalid_argument("field: what is wrong").
 [[noreturn]] inline void bad_field(const std::string& field, const std::string& what) {
   throw std::invalid_argument(field + ": " + what);
-}
-
-/// Formats a number for a message, without trailing zeros.
-inline std::string to_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
-
-/// Formats a time in seconds for a message: a Unix clock with its microseconds.
-inline std::string time_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.16g", seconds);
-  return text;
 }
 
 /// Whether an image given as three-byte pixels, with a stride of four bytes per pixel, looks like four-byte pixels.

@@ -9,6 +9,10 @@
 
 namespace dot {
 
+#ifdef _GLIBCXX_DEBUG
+inline namespace debug_containers {  // a vector has another layout there, so the symbols must be others
+#endif
+
 /// An image that owns its pixels, with rows without padding. `resize` keeps the memory if it is large enough.
 template <typename T>
 class Image {
@@ -57,5 +61,9 @@ class Image {
   int height_ = 0;
   Buffer<T> pixels_;
 };
+
+#ifdef _GLIBCXX_DEBUG
+}  // namespace debug_containers
+#endif
 
 }  // namespace dot

@@ -31,6 +31,6 @@ struct GradientStrip {
     return bits;
   }
 };
-constexpr int kMaxStripRows = 16384;  ///< a key must fit into an int
+inline constexpr int kMaxStripRows = 16384;  ///< a key must fit into an int
 
 }  // namespace dot::kernel

@@ -27,6 +27,6 @@ struct BlurWeights {
 };
 
 /// Largest difference on one surface, relative to the larger inverse depth.
-constexpr float kSameSurface = 0.1f;
+inline constexpr float kSameSurface = 0.1f;
 
 }  // namespace dot::kernel

@@ -48,7 +48,7 @@ struct Kernels {
   /// Adds the gradients of n pixels to their sums. Then adds |sum g| and sum |g| of those that are edges to the
   /// columns.
   /// @param stays 1 for an edge of which |sum g| is more than nine tenths of sum |g|, else 0: what is drawn over the
-  /// image may let shine through what is behind.
+  /// image may be semi-transparent.
   void (*sum_edges)(const ThreeRows& rows, int n, const EdgeSums& sums, const EdgeColumns& columns,
                     unsigned char* stays);
 };

@@ -86,9 +86,9 @@ struct Residuals {
   float* r_depth = nullptr;             ///< measured minus predicted inverse depth, 1/m
   unsigned char* visibility = nullptr;  ///< a sum of the following
 };
-constexpr unsigned char kSeen = 1;      ///< inside the image, in front, not hidden
-constexpr unsigned char kHasDepth = 2;  ///< r_depth is valid
-constexpr unsigned char kOccluded = 4;  ///< inside the image, but hidden
+inline constexpr unsigned char kSeen = 1;      ///< inside the image, in front, not hidden
+inline constexpr unsigned char kHasDepth = 2;  ///< r_depth is valid
+inline constexpr unsigned char kOccluded = 4;  ///< inside the image, but hidden
 
 /// Tukey's costs of the points that are seen.
 struct Costs {

@@ -116,7 +116,9 @@ class Observations {
     }
     list.drop_if([](const Observation& o) { return o.mask.empty(); });
     for (Observation& o : list) o.centre = centre_of(o.mask, inverse_depth, camera, values_);
-    if (masks.ids.data != nullptr) return;  // an id image has one id for each pixel
+    const bool may_overlap = std::any_of(masks.instances.begin(), masks.instances.end(),
+                                         [](const Instance& instance) { return instance.mask.data != nullptr; });
+    if (!may_overlap) return;  // an id image has one id for each pixel
     drop_covered();
     if (!separate_all(inverse_depth, noise)) return;
     list.drop_if([](const Observation& o) { return o.mask.empty(); });

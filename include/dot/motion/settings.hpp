@@ -51,7 +51,7 @@ struct VelocitySettings {
   double v0_per_square_metre = 0.005;
   double photometric_scale = 3;            ///< largest inflation of Sigma_x: residuals of close points are correlated
   double rotation_scale = 3;               ///< further inflation of the rotation's covariance
-  double floor = 0.03;                     ///< m/s per axis, never more certain
+  double floor = 0.03;                     ///< m/s per axis, smallest sigma
   double floor_per_square_metre = 0.0007;  ///< 1/(m s): the floor of near objects, likewise
   double decide = 0.90;                    ///< probability at which a state is reached
   double keep = 0.80;                      ///< probability down to which it is kept

@@ -44,12 +44,17 @@ struct ObjectBelief {
     if (state != State::NotObservable) last_decided = state;
   }
 
+  /// Takes the caller's word whether it moves, whatever is measured.
+  void declare(bool moves) {
+    always_dynamic = moves;
+    if (moves) state = last_decided = State::Moving, p_moving = 1;
+  }
+
   /// Forgets all that was measured. An object that the caller says moves goes on moving.
   void forget() {
     const bool moves = always_dynamic;
     *this = {};
-    always_dynamic = moves;
-    if (moves) take({});
+    declare(moves);
   }
 
   /// Whether the classifier gives a velocity. Some classifiers give none after a frame without a fit.

@@ -103,6 +103,7 @@ class Dot {
   CameraStep track_camera(const Frame& frame, double seconds);
   void learn_and_predict(const Interval& interval);
   void forget_wrong_motions();
+  void count(const char* field, const Masks& masks);
   void discover(const FrameData& cur, const CameraStep& camera_step);
   void prepare_next(const CameraStep& camera_step, bool segmented);
   void remember(const CameraStep& camera_step);
@@ -110,6 +111,8 @@ class Dot {
   void write_result(const Frame& frame, const CameraStep& camera_step);
   template <typename Body>
   void reset_unless_done(Body&& body);
+  template <typename Body>
+  void check(Body&& body);
 
   /// The aligner's kernels, so that all stages use the same. If it has none, the portable ones.
   const kernel::Kernels& kernels() const {

@@ -28,7 +28,7 @@ struct Options {
   bool discover_unknown = false;  ///< search the background for moving objects without a mask
 };
 
-/// Values that a setting may have, both ends included.
+/// Values that a setting may have, both ends included, except of velocity.decide, which must be inside.
 struct OptionRange {
   double low;   ///< smallest value
   double high;  ///< largest value

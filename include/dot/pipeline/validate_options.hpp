@@ -20,7 +20,9 @@ inline void validate(const Options& options) {
   });
   const VelocitySettings& v = options.velocity;
   if (!(v.decide > 0.5 && v.decide < 1)) bad_field("options.velocity.decide", "must be between 0.5 and 1");
-  if (v.keep > v.decide) bad_field("options.velocity.keep", "must not be above velocity.decide");
+  if (v.keep > v.decide)
+    bad_field("options.velocity.keep",
+              "is " + to_text(v.keep) + ", must not be above velocity.decide, " + to_text(v.decide));
   const MotionPriorSettings& prior = options.motion_prior;
   if (prior.ground_vehicle && !(std::hypot(prior.up_x, prior.up_y, prior.up_z) > 0))
     bad_field("options.motion_prior.up_y", "must not be 0 like up_x and up_z: which way is up?");

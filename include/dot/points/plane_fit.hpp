@@ -17,7 +17,7 @@ using PlaneFit = kernel::Plane;
 
 /// Pixels whose depths together count as one. The error of n pixels averages like that of n / kCorrelatedArea
 /// independent ones, because stereo and interpolated depth are smooth.
-constexpr int kCorrelatedArea = 45;
+inline constexpr int kCorrelatedArea = 45;
 
 /// Windows for planes about single pixels. Depths of neighbouring pixels are not independent, so some rows of a large
 /// window give as much information as all.

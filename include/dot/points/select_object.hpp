@@ -18,26 +18,27 @@ DOT_BEGIN_NAMESPACE
 struct ObjectPoints {
   int pixels_with_depth = 0;  ///< pixels of the mask on the object's surface
   float median_q = 0;         ///< 1/m
-  double slope_variance = 0;  ///< 1/m^2, of the depth at its border, that no point shows (`level_by_noise`)
+  double slope_variance = 0;  ///< 1/m^2, of the depth at its border, that no point shows (`shrink_tilt`)
   bool shape_known = false;   ///< whether these pixels give its shape; if not, there are no points
 };
 
 namespace selecting {
 
-constexpr int kLargeArea = 2500;         ///< pixels
-constexpr double kShareOfDensity = 0.5;  ///< of an object's depths, those of a window that must be on a plane
-constexpr double kDeepest = 2;           ///< depth of an object along the line of sight, over its size across it
-constexpr int kLeastDepths = 12;         ///< the same, at least: neighbouring depths are not independent
-constexpr double kLevelRelief = 0.15;    ///< largest half size of an object, share of its distance, for constant depth
+inline constexpr int kLargeArea = 2500;         ///< pixels
+inline constexpr double kShareOfDensity = 0.5;  ///< of an object's depths, those of a window that must be on a plane
+inline constexpr double kDeepest = 2;           ///< depth of an object along the line of sight, over its size across it
+inline constexpr int kLeastDepths = 12;         ///< the same, at least: neighbouring depths are not independent
+inline constexpr double kMostReliefOfFlat =
+    0.15;  ///< largest half size of an object, share of its distance, for constant depth
 // Inverse depth of a surface over that of one beside it that it hides. Objects have relief, so less is enough outside.
-constexpr float kNearerOutside = 1.15f, kNearerInside = 1.28f;
+inline constexpr float kNearerOutside = 1.15f, kNearerInside = 1.28f;
 
 /// Sets work.mask to the pixels of an object's box that may be points. They are in its eroded mask, its surface
 /// (work.surface) is measured there, and no nearer surface is beside them: neither outside the mask, nor the object
 /// itself, where a mask that is too large contains background. Such an edge moves with what is nearer.
-/// @param level 1/m, assumed for pixels that are not measured; 0: these may not be points.
+/// @param assumed_q 1/m, assumed for pixels that are not measured; 0: these may not be points.
 inline void admit(ImageView<const float> frame, const Box& box, ImageView<const std::uint8_t> mask, int area,
-                  float level, float slack, SelectionWorkspace& work) {
+                  float assumed_q, float slack, SelectionWorkspace& work) {
   constexpr int kErosion = 2, kReach = 4;
   const int width = box.width, height = box.height;
   const bool is_large = area > kLargeArea;
@@ -97,7 +98,7 @@ inline void admit(ImageView<const float> frame, const Box& box, ImageView<const 
     const std::uint8_t* outside = work.outside.row(y + kErosion) + kErosion;
     std::uint8_t* __restrict may = work.mask.row(y);
     for (int x = 0; x < width; ++x) {
-      const float other = depth[x] > 0 ? 0.0f : level, q = surface[x] > 0 ? surface[x] : other;
+      const float other = depth[x] > 0 ? 0.0f : assumed_q, q = surface[x] > 0 ? surface[x] : other;
       const int admitted = (nearer[x] <= kNearerOutside * q + slack) & (q > 0) & (outside[x] == 0);
       may[x] = admitted ? 255 : 0;
     }
@@ -110,7 +111,7 @@ inline void admit(ImageView<const float> frame, const Box& box, ImageView<const 
 /// @param step of the pixels that are looked at. @param relief that an object of this size may have, 1/m.
 /// @return variance, at the object's border, of the difference between the plane and a plane through its true surface,
 /// 1/m^2; 0 where too few pixels have depth for a tilt. An object's size limits it.
-inline double level_by_noise(ImageView<const float> surface, int step, float median_q, double relief, PlaneFit& plane) {
+inline double shrink_tilt(ImageView<const float> surface, int step, float median_q, double relief, PlaneFit& plane) {
   constexpr double kAtBorder = 3;        // square of a tilt at the border, over its mean square
   constexpr double kOfRelief = 1.0 / 3;  // a car's root mean square about its plane, over half of its size
   const int column = surface.width / 2, row = surface.height / 2;
@@ -189,7 +190,7 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
   SelectionRegion region;
   region.radius = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(area)) / 8), 3, 6);
   if (const double density = static_cast<double>(out.pixels_with_depth) / area; density < region.least_share) {
-    if (relief <= selecting::kLevelRelief * static_cast<double>(out.median_q)) {  // its distance is enough
+    if (relief <= selecting::kMostReliefOfFlat * static_cast<double>(out.median_q)) {  // its distance is enough
       flat = true;
       plane.variance = static_cast<float>(relief * relief);
       plane.inliers = 1;
@@ -203,7 +204,7 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
   }
   out.shape_known = true;
   if (flat) {
-    out.slope_variance = selecting::level_by_noise(work.surface.view(), step, out.median_q, relief, plane);
+    out.slope_variance = selecting::shrink_tilt(work.surface.view(), step, out.median_q, relief, plane);
   }
   selecting::admit(frame, box, mask, area, flat ? out.median_q : 0, slack, work);
   if (select.overlaid) select.overlaid->cut(box.x, box.y, work.mask.view());

@@ -12,7 +12,7 @@
 DOT_BEGIN_NAMESPACE
 
 /// Standard deviation of a normal over the median of its absolute value.
-constexpr double kSigmaOfMedian = 1.4826;
+inline constexpr double kSigmaOfMedian = 1.4826;
 
 /// The value for which that share of the others is smaller, the lower one of two. The values are reordered.
 /// @pre first != last, 0 <= share <= 1.

@@ -14,9 +14,9 @@ DOT_BEGIN_NAMESPACE
 /// Parts of `sort_nth`.
 namespace nth_sorting {
 
-constexpr std::ptrdiff_t kSample = 15;  ///< values that choose a pivot, at most
-constexpr std::ptrdiff_t kFew = 64;     ///< values that the standard library sorts as fast
-constexpr int kMostPasses = 20;         ///< after so many, the pivots are bad, and the standard library is faster
+inline constexpr std::ptrdiff_t kSample = 15;  ///< values that choose a pivot, at most
+inline constexpr std::ptrdiff_t kFew = 64;     ///< values that the standard library sorts as fast
+inline constexpr int kMostPasses = 20;  ///< after so many, the pivots are bad, and the standard library is faster
 
 /// Moves the values for which condition(value) holds to the front, without a branch. @return the end of these.
 template <typename Iterator, typename Condition>

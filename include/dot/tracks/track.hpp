@@ -68,7 +68,6 @@ struct Track {
     segmented = !o.discovered;
     identity.discovered = candidacy.is_candidate = o.discovered;
     motion.step.fit.reason = Reason::New;
-    if (belief.always_dynamic) belief.take({});
   }
 
   /// Continues the track with an observation.
@@ -117,7 +116,7 @@ struct Track {
     identity.instance_id = o.instance_id;
     identity.class_id = o.class_id;
     identity.score = o.score;
-    belief.always_dynamic = o.always_dynamic;
+    belief.declare(o.always_dynamic);
   }
 };
 

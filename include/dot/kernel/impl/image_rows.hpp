@@ -46,8 +46,8 @@ void invert_depth(const Value* values, int n, const DepthUnits& units, float* ou
       value = V::load_words(at[0]);
     else
       value = V::load(at[0]);
-    // Values that do not count are divided, too; `keep` then masks the result.
-    V::store(to, V::keep(V::both(V::less(near, value), V::less(value, far)), V::div(unit, value)));
+    // Values that do not count are divided, too, but not by zero: a host may trap that. `keep` then masks the result.
+    V::store(to, V::keep(V::both(V::less(near, value), V::less(value, far)), V::div(unit, V::max(value, near))));
   });
 }
 

@@ -47,9 +47,10 @@ const Result& Dot<Camera, Classifier, Noise, Aligner>::track(const Frame& frame)
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 const Result& Dot<Camera, Classifier, Noise, Aligner>::label(const Frame& frame) {
-  validate(frame, camera_.width(), camera_.height(), current_ != nullptr, current_ ? current_->timestamp : 0);
-  if (frame.masks)
-    observations_.count("frame.masks", *frame.masks, options_.mask.max_instances, camera_.width(), camera_.height());
+  check([&] {
+    validate(frame, camera_.width(), camera_.height(), current_ != nullptr, current_ ? current_->timestamp : 0);
+    if (frame.masks) count("frame.masks", *frame.masks);
+  });
   prepare();
   stopwatch_.start();
   reset_unless_done([&] { label_objects(frame); });
@@ -219,8 +220,10 @@ void Dot<Camera, Classifier, Noise, Aligner>::remember(const CameraStep& camera_
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_id, const Masks& masks) {
-  validate("masks", masks, camera_.width(), camera_.height());
-  observations_.count("masks", masks, options_.mask.max_instances, camera_.width(), camera_.height());
+  check([&] {
+    validate("masks", masks, camera_.width(), camera_.height());
+    count("masks", masks);
+  });
   prepare();
   const auto then = late_masks_.frames().find(frame_id);
   if (then == late_masks_.frames().end())
@@ -232,6 +235,23 @@ void Dot<Camera, Classifier, Noise, Aligner>::submit_masks(std::uint64_t frame_i
     drop_lost();
     late_masks_.apply(then, masks, current_->timestamp, {tracks_, observations_, labeller_, setup()});
   });
+}
+
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Dot<Camera, Classifier, Noise, Aligner>::count(const char* field, const Masks& masks) {
+  observations_.count(field, masks, options_.mask.max_instances, camera_.width(), camera_.height());
+}
+
+/// Runs `body`, which refuses input. That changes nothing, but a lack of memory resets, as it does everywhere.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+template <typename Body>
+void Dot<Camera, Classifier, Noise, Aligner>::check(Body&& body) {
+  try {
+    body();
+  } catch (const std::bad_alloc&) {
+    reset();
+    throw;
+  }
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>

@@ -265,7 +265,9 @@ TEST(OutOfMemory, ResetsATracker) {
     reached = shortage.reached();
     shortage.end();
     failed += !done;
-    if (!done) EXPECT_NO_THROW(tracker.track(frame_at(0))) << "after allocation " << k;
+    if (!done) {
+      EXPECT_NO_THROW(tracker.track(frame_at(0))) << "after allocation " << k;
+    }
   }
   EXPECT_GT(failed, 5);
 }

@@ -251,7 +251,7 @@ TEST(Input, FourChannelsSaidToBeThreeAreRefused) {
     frame.image = {bgra.data(), 160, 120, 4 * 160, format};
     EXPECT_EQ(refusal([&] { tracker.track(frame); }).rfind("frame.image: ", 0), 0u);
   }
-  for (const std::uint8_t alpha : {0, 255})
+  for (const std::uint8_t alpha : {std::uint8_t{0}, std::uint8_t{255}})
     for (const double brightest : {10.0, 255.0}) {
       const std::vector<std::uint8_t> noise = noisy(4, brightest, alpha);
       frame.image = {noise.data(), 160, 120, 4 * 160, PixelFormat::Bgr8};

@@ -5,10 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <locale>
+#include <sstream>
 #include <string>
 
 #include "dot/diagnosis/diagnosis.hpp"
-#include "dot/frame/number_text.hpp"
 
 namespace dot {
 
@@ -44,8 +45,11 @@ inline std::string describe(const Diagnosis& diagnosis) {
     return {"", ""};
   }();
   if (*words.meaning == '\0') return {};
-  return std::string(to_string(diagnosis.reason)) + " (" + to_text(diagnosis.figure, 3) + " " + words.unit +
-         "): " + words.meaning;
+  std::ostringstream text;
+  text.imbue(std::locale::classic());  // a point in any locale
+  text.precision(3);
+  text << to_string(diagnosis.reason) << " (" << diagnosis.figure << " " << words.unit << "): " << words.meaning;
+  return text.str();
 }
 
 /// Tells a host which diagnoses to print: one line when a suspicion appears, not one with every frame. A suspicion that

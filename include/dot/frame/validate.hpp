@@ -9,13 +9,14 @@
 #include <cstdint>
 #include <cstdlib>
 #include <initializer_list>
+#include <locale>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "dot/abi.hpp"
 #include "dot/frame/field_name.hpp"
 #include "dot/frame/frame.hpp"
-#include "dot/frame/number_text.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -23,6 +24,18 @@ DOT_BEGIN_NAMESPACE
 [[noreturn]] inline void bad_field(const std::string& field, const std::string& what) {
   throw std::invalid_argument(field + ": " + what);
 }
+
+/// Formats a number for a message, without trailing zeros, and with a point in any locale.
+inline std::string to_text(double value, int digits = 6) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(digits);
+  text << value;
+  return text.str();
+}
+
+/// Formats a time in seconds for a message: a Unix clock with its microseconds.
+inline std::string time_text(double seconds) { return to_text(seconds, 16); }
 
 /// Whether an image given as three-byte pixels, with a stride of four bytes per pixel, looks like four-byte pixels.
 /// Then a byte is more similar to the one four positions later, which is of the neighbouring pixel, than to the one

@@ -39,20 +39,25 @@ struct Posts {
   }
 };
 
-/// Leaves numbers where the next function has its variables.
 #if defined(__GNUC__)
-__attribute__((noinline))
+#define DOT_TEST_NOINLINE __attribute__((noinline))
+#else
+#define DOT_TEST_NOINLINE
 #endif
-void fill_stack(double value) {
+
+/// Leaves numbers where the next function has its variables.
+DOT_TEST_NOINLINE void fill_stack(double value) {
   volatile double numbers[200];
   for (volatile double& number : numbers) number = value;
 }
+
+DOT_TEST_NOINLINE int lag_of(const DepthStep& step) { return step.lag(); }
 
 int lag_found(const Posts& posts, int lag) {
   DepthStep step;
   for (int frame = 10; frame < 40; ++frame) step.add(posts.image(frame), posts.depth(frame - lag), kLeastJump);
   fill_stack(1e300);
-  return step.lag();
+  return lag_of(step);
 }
 
 TEST(DepthStep, TellsByHowManyFramesTheDepthIsLate) {

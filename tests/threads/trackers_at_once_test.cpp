@@ -5,13 +5,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "dot/tracker.hpp"
 #include "fuzz/scene.hpp"
+#include "support/host_pool.hpp"
 
 /// @file
 /// Trackers at work at the same time, each on several threads. A program of its own, so that the thread sanitizer has
@@ -21,13 +21,6 @@ namespace {
 
 constexpr int kWidth = 96, kHeight = 64, kFrames = 12;
 constexpr double kFocal = 95;
-
-void host_pool(int count, const std::function<void(int)>& job) {
-  std::vector<std::thread> threads;
-  for (int i = 1; i < count; ++i) threads.emplace_back([&job, i] { job(i); });
-  job(0);
-  for (std::thread& t : threads) t.join();
-}
 
 /// A film's frames; each is a view of a picture, hence kept together.
 struct Film {
@@ -113,7 +106,9 @@ void expect_the_same_together_as_alone(const dot::ThreadPool& pool) {
   EXPECT_NE(alone[0].text, alone[1].text);
 }
 
-TEST(TrackersAtOnce, OnThreadsOfTheirHostsSeeWhatEachSeesAlone) { expect_the_same_together_as_alone(host_pool); }
+TEST(TrackersAtOnce, OnThreadsOfTheirHostsSeeWhatEachSeesAlone) {
+  expect_the_same_together_as_alone(dot::test::host_pool);
+}
 TEST(TrackersAtOnce, OnOpenCvsThreadsSeeWhatEachSeesAlone) { expect_the_same_together_as_alone({}); }
 
 }  // namespace

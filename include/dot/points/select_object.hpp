@@ -28,8 +28,7 @@ inline constexpr int kLargeArea = 2500;         ///< pixels
 inline constexpr double kShareOfDensity = 0.5;  ///< of an object's depths, those of a window that must be on a plane
 inline constexpr double kDeepest = 2;           ///< depth of an object along the line of sight, over its size across it
 inline constexpr int kLeastDepths = 12;         ///< the same, at least: neighbouring depths are not independent
-inline constexpr double kMostReliefOfFlat =
-    0.15;  ///< largest half size of an object, share of its distance, for constant depth
+inline constexpr double kFlatRelief = 0.15;     ///< half size of an object over its distance, up to which it is flat
 // Inverse depth of a surface over that of one beside it that it hides. Objects have relief, so less is enough outside.
 inline constexpr float kNearerOutside = 1.15f, kNearerInside = 1.28f;
 
@@ -190,7 +189,7 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
   SelectionRegion region;
   region.radius = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(area)) / 8), 3, 6);
   if (const double density = static_cast<double>(out.pixels_with_depth) / area; density < region.least_share) {
-    if (relief <= selecting::kMostReliefOfFlat * static_cast<double>(out.median_q)) {  // its distance is enough
+    if (relief <= selecting::kFlatRelief * static_cast<double>(out.median_q)) {  // its distance is enough
       flat = true;
       plane.variance = static_cast<float>(relief * relief);
       plane.inliers = 1;

@@ -7,7 +7,7 @@
 namespace dot {
 
 /// A host's threads, lent to the library. The function calls job(0) ... job(count - 1), each once, in any order or in
-/// parallel, and returns when all have ended. It should rethrow an exception of a job.
+/// parallel, and returns when all have ended. A job does not throw.
 using ThreadPool = std::function<void(int count, const std::function<void(int)>& job)>;
 
 }  // namespace dot

@@ -17,12 +17,12 @@ DOT_BEGIN_NAMESPACE
 
 DOT_INLINE void Belief::predict(double dt, const Matrix3<double>& R_cur_prev, const VelocitySettings& s) {
   const double p = p_moving(), change = std::min(0.5, s.switch_rate * dt);
-  const double q = p * (1 - change) + (1 - p) * change;
+  const double q = p + 2 * change * (kPrior - p);
   log_odds = std::log(q / (1 - q));
   turning.predict(dt, R_cur_prev, s.prior_turn);
   if (!has_velocity()) return;
-  // Accelerations last for tau, so the variance grows by a^2 tau per second.
-  covariance += Matrix3<double>::Identity() * sq(s.acceleration) * kAccelerationSeconds * dt;
+  // Accelerations a last for tau, so the variance grows by a^2 tau per second.
+  covariance += Matrix3<double>::Identity() * sq(s.usual_acceleration_at(range)) * kAccelerationSeconds * dt;
   velocity = R_cur_prev * velocity;
   covariance = R_cur_prev * covariance * R_cur_prev.transpose();
 }
@@ -75,16 +75,20 @@ DOT_INLINE double Belief::translates_or_stands(const MotionEstimate& e, double v
   double stands = 0, moves = 0;
   for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, V},
                                  std::pair<double, Matrix3<double>>{s.tail_share, s.tail_variance * V}}) {
-    stands += share * density(v, S + sq(kDrift * v0) * I);
+    // Either hypothesis allows that the fits before were wrong.
+    double still = density(v, S + sq(kDrift * v0) * I);
+    if (has_velocity()) {
+      const Gaussian lasting = posterior(kLasting * V, velocity, covariance);
+      still = mixed(density(v - lasting.mean, S + lasting.covariance), still, kFreshDrift);
+    }
+    stands += share * still;
     double fresh = 0;
     for (const double scale : {1.0, kFastVariance}) {
       const Matrix3<double> any = scale * speed2 * I;
       const Matrix3<double> along_weakest_axis = scale * speed2 * weakest * weakest.transpose() + sq(v0) * I;
       fresh += 0.25 * (hypothesis(v, S, zero, any, v0) + hypothesis(v, S, zero, along_weakest_axis, v0));
     }
-    moves +=
-        share *
-        (has_velocity() ? (1 - kFreshShare) * hypothesis(v, S, velocity, covariance, v0) + kFreshShare * fresh : fresh);
+    moves += share * (has_velocity() ? mixed(hypothesis(v, S, velocity, covariance, v0), fresh, kFreshShare) : fresh);
   }
   stands = (1 - s.outliers) * stands + outlier;
   moves = (1 - s.outliers) * moves + outlier;
@@ -104,23 +108,20 @@ DOT_INLINE double Belief::turns_or_not(const MotionEstimate& e, double v0, const
   const double outlier = s.outliers * density(u, U + drift + kOutlierVariance * prior);
 
   const Turning::Rate* predicted = turning.before(e);
-  Vector3<double> m = Vector3<double>::Zero(), drift_mean = m;
-  Matrix3<double> P = Matrix3<double>::Zero(), drift_left = drift;
-  if (predicted) {
-    m = L * predicted->mean, P = L * predicted->covariance * L;
-    const Matrix3<double> K = Matrix3<double>((drift + P).ldlt().solve(drift)).transpose();  // zero without drift
-    drift_mean = K * m, drift_left -= K * drift;
-  }
   const Vector3<double> zero = Vector3<double>::Zero();
-  const auto mixed = [](double expected, double fresh) { return (1 - kFreshShare) * expected + kFreshShare * fresh; };
+  Gaussian before{zero, Matrix3<double>::Zero()}, lasting = before;
+  if (predicted) {
+    before = {L * predicted->mean, L * predicted->covariance * L};
+    lasting = posterior(drift, before.mean, before.covariance);
+  }
   double turns = 0, not_turns = 0;
   for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, U},
                                  std::pair<double, Matrix3<double>>{s.tail_share, s.tail_variance * U}}) {
     // Either hypothesis allows that the fits before were wrong.
     double still = density(u, S + drift), turn = hypothesis(u, S + drift, zero, prior, v0);
     if (predicted) {
-      still = mixed(density(u - drift_mean, S + drift_left), still);
-      turn = mixed(hypothesis(u, S + drift, m, P, v0), turn);
+      still = mixed(density(u - lasting.mean, S + lasting.covariance), still, kFreshShare);
+      turn = mixed(hypothesis(u, S + drift, before.mean, before.covariance, v0), turn, kFreshShare);
     }
     not_turns += share * still;
     turns += share * turn;
@@ -140,6 +141,7 @@ DOT_INLINE void Belief::filter(const MotionEstimate& e, double speed2) {
   const Matrix3<double> V = e.covariance;
   const Matrix3<double> I = Matrix3<double>::Identity();
   const double frame = e.span_seconds / e.span_frames;
+  range = e.range;
   const bool expected = agrees(e);
   if (!trust.accept(expected, frame)) return;
   if (!expected) velocity.setZero(), covariance = kFastVariance * speed2 * I;
@@ -147,6 +149,13 @@ DOT_INLINE void Belief::filter(const MotionEstimate& e, double speed2) {
   velocity += K * (v - velocity);
   covariance = (I - K) * covariance;
   covariance = 0.5 * (covariance + covariance.transpose()).eval();
+}
+
+/// What fits that said m, wrong by N(0, P), leave of a velocity of N(0, D): N(K m, D - K D), K = D (D + P)^-1.
+DOT_INLINE Belief::Gaussian Belief::posterior(const Matrix3<double>& D, const Vector3<double>& m,
+                                              const Matrix3<double>& P) {
+  const Matrix3<double> K = Matrix3<double>((D + P).ldlt().solve(D)).transpose();  // zero without D
+  return {K * m, D - K * D};
 }
 
 DOT_INLINE double Belief::density(const Vector3<double>& x, const Matrix3<double>& S) {

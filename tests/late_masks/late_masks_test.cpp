@@ -6,6 +6,7 @@
 
 #include <iterator>
 
+#include "support/iou.hpp"
 #include "support/stage_street.hpp"
 
 // Masks of a past frame, taken to the present without a pipeline about them.
@@ -58,7 +59,7 @@ TEST(LateMasks, ReplayLeadsANewObjectToThePresent) {
   for (const std::uint32_t id : {parked, mover}) {
     const Track* t = street.find(id);
     ASSERT_NE(t, nullptr) << id;
-    EXPECT_GT(dot::iou(t->outline.mask, street.mask(id)), 0.85) << id;
+    EXPECT_GT(iou(t->outline.mask, street.mask(id)), 0.85) << id;
     EXPECT_EQ(t->motion.references.front().timestamp, street.cur->timestamp) << id;
     EXPECT_EQ(t->motion.references.size(), 4u) << "as if the masks had come in time: " << id;
     EXPECT_TRUE(t->motion.step.fit.ok()) << id;

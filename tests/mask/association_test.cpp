@@ -6,9 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "support/iou.hpp"
+
 namespace {
 
 using dot::Mask;
+using dot::test::iou;
 
 Mask rectangle(int x, int y, int width, int height) {
   Mask mask;
@@ -55,7 +58,7 @@ TEST(Association, NeedsEnoughOverlap) {
 // A van that covers a parked car is no larger part of it, unless the car is as long as the way between them.
 TEST(Association, WhatPassesBeforeAnObjectIsNotIt) {
   const Mask car = rectangle(20, 10, 20, 10), van = rectangle(0, 0, 50, 22);
-  ASSERT_LT(dot::iou(car, van), dot::MaskSettings{}.min_iou);
+  ASSERT_LT(iou(car, van), dot::MaskSettings{}.min_iou);
   dot::SparseAssignWorkspace workspace;
   const auto partner = [&](double z_car, double size, double z_van) {
     return dot::associate({{&car, 1 / z_car, size}}, {{&van, 1 / z_van, 0}}, {}, workspace)[0];
@@ -70,7 +73,7 @@ TEST(Association, WhatPassesBeforeAnObjectIsNotIt) {
 TEST(Association, AcceptsASmallPartByContainment) {
   dot::MaskSettings settings;
   const Mask whole = rectangle(0, 0, 60, 20), part = rectangle(40, 5, 15, 10);
-  ASSERT_LT(dot::iou(whole, part), settings.min_iou);
+  ASSERT_LT(iou(whole, part), settings.min_iou);
   EXPECT_EQ(associate({whole}, {part}, settings), (Partners{0}));
   EXPECT_EQ(associate({part}, {whole}, settings), (Partners{0}));
   settings.min_containment = 1.01;
@@ -80,8 +83,8 @@ TEST(Association, AcceptsASmallPartByContainment) {
 // What a false detection left behind is not the car that drives over it.
 TEST(Association, ASpeckUnderALargeMaskIsNotContinuedByIt) {
   const Mask car = rectangle(0, 0, 60, 20), eleventh = rectangle(40, 5, 11, 10), ninth = rectangle(40, 5, 14, 10);
-  ASSERT_LT(dot::iou(car, eleventh), 0.1);
-  ASSERT_GT(dot::iou(car, ninth), 0.1);
+  ASSERT_LT(iou(car, eleventh), 0.1);
+  ASSERT_GT(iou(car, ninth), 0.1);
   EXPECT_EQ(associate({eleventh}, {car}), (Partners{-1}));
   EXPECT_EQ(associate({ninth}, {car}), (Partners{0}));
 }
@@ -99,7 +102,7 @@ TEST(Association, WhatPassesBehindIsAnotherThing) {
   EXPECT_EQ(partner(far, 0, near, 0.1), 0) << "not measured";
   EXPECT_EQ(partner(far, 0.02, near, 0), 0);
   const Mask beside = rectangle(5, 0, 60, 20);
-  ASSERT_GT(dot::iou(near, beside), 0.8);
+  ASSERT_GT(iou(near, beside), 0.8);
   EXPECT_EQ(partner(near, 0.1, beside, 0.02), 0) << "the overlap is too good to be chance";
 }
 
@@ -125,7 +128,7 @@ TEST(Association, TakesTheBestSumNotTheBestPair) {
   // The first observation overlaps both tracks, the second one only the first track.
   const std::vector<Mask> predicted{rectangle(0, 0, 40, 10), rectangle(16, 0, 40, 10)};
   const std::vector<Mask> observed{rectangle(7, 0, 40, 10), rectangle(-0, 0, 36, 10)};
-  ASSERT_GT(dot::iou(observed[0], predicted[0]), dot::iou(observed[0], predicted[1]));
+  ASSERT_GT(iou(observed[0], predicted[0]), iou(observed[0], predicted[1]));
   EXPECT_EQ(associate(predicted, observed), (Partners{1, 0}));
 }
 
@@ -134,10 +137,10 @@ TEST(Association, DoesNotBreakAGoodPairForTwoPoorOnes) {
   const std::vector<Mask> predicted{rectangle(20, 0, 40, 10), rectangle(46, 0, 40, 10)};
   const std::vector<Mask> observed{rectangle(21, 0, 40, 10), rectangle(0, 0, 35, 10)};
   const dot::MaskSettings settings;
-  ASSERT_GT(dot::iou(observed[0], predicted[0]), 0.9);
-  ASSERT_GT(dot::iou(observed[0], predicted[1]), settings.min_iou);
-  ASSERT_GT(dot::iou(observed[1], predicted[0]), settings.min_iou);
-  ASSERT_LT(dot::iou(observed[1], predicted[1]), settings.min_iou);
+  ASSERT_GT(iou(observed[0], predicted[0]), 0.9);
+  ASSERT_GT(iou(observed[0], predicted[1]), settings.min_iou);
+  ASSERT_GT(iou(observed[1], predicted[0]), settings.min_iou);
+  ASSERT_LT(iou(observed[1], predicted[1]), settings.min_iou);
   EXPECT_EQ(associate(predicted, observed), (Partners{0, -1}));
 }
 

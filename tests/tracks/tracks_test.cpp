@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "support/iou.hpp"
 #include "support/stage_street.hpp"
 
 // All objects, without a pipeline about them.
@@ -66,7 +67,7 @@ TEST(Tracks, CarryOutlinesWhereNoMaskComes) {
   for (int i = 0; i < 4; ++i) street.next(i == 0);
   for (const std::uint32_t id : {parked, mover}) {
     const dot::Mask &mask = street.find(id)->outline.mask, truth = street.mask(id);
-    EXPECT_GT(dot::iou(mask, truth), 0.85) << id;
+    EXPECT_GT(iou(mask, truth), 0.85) << id;
     EXPECT_TRUE(street.find(id)->outline.is_newest);
   }
 }

@@ -12,8 +12,7 @@ DOT_BEGIN_NAMESPACE
 /// Result of an alignment.
 struct Alignment {
   AlignState state;                      ///< T = T_i_j
-  Matrix8 H = Matrix8::Zero();           ///< information of [x; a; b], prior included
-  Matrix8 covariance = Matrix8::Zero();  ///< of [x; a; b], from H
+  Matrix8 covariance = Matrix8::Zero();  ///< of [x; a; b], from the points and the prior
   /// x that a unit of each depth error mode causes (NormalEquations::modes)
   std::array<Vector8, 4> depth_modes{Vector8::Zero(), Vector8::Zero(), Vector8::Zero(), Vector8::Zero()};
   double sigma_intensity = 0;  ///< grey values, level 0

@@ -70,9 +70,6 @@ class FrameStore {
     if (frames_.size() == 1) frames_.insert(frames_.begin(), std::make_shared<FrameData>(*frames_.back()));
   }
 
-  /// Number of allocated frames.
-  std::size_t capacity() const { return frames_.size(); }
-
  private:
   using Slot = std::shared_ptr<FrameData>;
 

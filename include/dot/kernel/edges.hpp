@@ -19,13 +19,12 @@ struct ThreeRows {
 struct EdgeSums {
   short* x = nullptr;  ///< in 1 / kEdgeUnit grey values, as the others
   short* y = nullptr;
-  short* length = nullptr;  ///< at most kLongestEdge
+  short* length = nullptr;  ///< at most 16383: four lengths must fit into 16 bits
 
   short fade = 0;  ///< share of the sums that the next frame drops, in 1 / 2^16; below a half
   short edge = 0;  ///< least length of an edge
 };
-inline constexpr int kEdgeUnit = 2;           ///< of the sums, over grey values
-inline constexpr short kLongestEdge = 16383;  ///< four lengths must fit into 16 bits
+inline constexpr int kEdgeUnit = 2;  ///< of the sums, over grey values
 
 /// What is added to the columns of an image, without overflow for four rows.
 struct EdgeColumns {

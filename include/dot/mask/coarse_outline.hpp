@@ -106,7 +106,6 @@ inline void enlarge(const WarpedMask& coarse, int level, WarpedMask& out) {
     for (int i = 1; i < side; ++i)
       std::memcpy(to.pixels.row(y * side + i), first, static_cast<std::size_t>(to.width()));
   }
-  out.expected_area = coarse.expected_area * pixels;
   out.inside_area = coarse.inside_area * pixels;
   out.confirmed_area = coarse.confirmed_area * pixels;
   out.occluded_area = coarse.occluded_area * pixels;

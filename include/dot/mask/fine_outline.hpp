@@ -32,10 +32,8 @@ class FineOutline {
     const int side = 1 << coarse.level;
     const Camera blocks = camera.at_level(coarse.level);
     const SE3f T = T_cur_template.template cast<float>(), T_template_cur = T.inverse();
-    double outside = 0;
-    const warping::Box box = warping::move_template(coarse, T, blocks, workspace, outside);
+    const warping::Box box = warping::move_template(coarse, T, blocks, workspace);
     out.clear();
-    out.expected_area = outside * side * side;
     if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
     warping::draw_surface(workspace, box);
     extend(workspace.surface);
@@ -56,7 +54,6 @@ class FineOutline {
         warping::trim_row(line, pixels_.width(), trim ? inverse_depth_cur.row(v) + fine.x0 : nullptr, limit, out);
       }
     }
-    out.expected_area += out.inside_area;
     warping::take_pixels(pixels_, fine.x0, fine.y0, out);
   }
 

@@ -294,12 +294,6 @@ inline int overlap(const Mask& a, const Mask& b) {
   return count;
 }
 
-/// Intersection over union; 0 if both are empty.
-inline double iou(const Mask& a, const Mask& b) {
-  const int both = overlap(a, b);
-  return both > 0 ? static_cast<double>(both) / (a.area + b.area - both) : 0;
-}
-
 /// Intersection over the smaller of the two areas; 0 if one is empty.
 inline double containment(const Mask& a, const Mask& b) {
   const int both = overlap(a, b);

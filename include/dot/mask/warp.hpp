@@ -21,7 +21,6 @@ DOT_BEGIN_NAMESPACE
 struct WarpedMask {
   Mask mask;                   ///< its pixels in the other frame
   Image<float> inverse_depth;  ///< 1/m, predicted; same crop, 0 outside the mask
-  double expected_area = 0;    ///< pixels that it would have in an unbounded image without occluders
   int inside_area = 0;         ///< pixels inside the image, before trimming
   int confirmed_area = 0;      ///< of these, pixels where the predicted depth was measured
   int occluded_area = 0;       ///< of these, pixels where something nearer was measured
@@ -30,7 +29,6 @@ struct WarpedMask {
   void clear() {
     mask.clear();
     inverse_depth.resize(0, 0);
-    expected_area = 0;
     inside_area = confirmed_area = occluded_area = 0;
   }
 
@@ -85,10 +83,9 @@ void map_row(const SE3f& T, const Camera& camera, int x, int y, int n, const flo
   }
 }
 
-/// Projects the template's pixels into `w`. Returns the part of the image that they may cover. `outside` gets the area
-/// of those whose centre is outside the image.
+/// Projects the template's pixels into `w`. Returns the part of the image that they may cover.
 template <typename Camera>
-Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camera, WarpWorkspace& w, double& outside) {
+Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camera, WarpWorkspace& w) {
   const int width = source.mask.width(), height = source.mask.height();
   const auto right = static_cast<float>(camera.width() - 1), bottom = static_cast<float>(camera.height() - 1);
   float u0 = right + kMaxReach, u1 = -kMaxReach, v0 = bottom + kMaxReach, v1 = -kMaxReach;
@@ -98,7 +95,6 @@ Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camer
     for (int y = 1; y <= height; ++y) image->row(y)[0] = image->row(y)[width + 1] = 0;
   }
   w.row.resize(std::max(width + 2, camera.width()), 3);
-  outside = 0;
   for (int y = 0; y < height; ++y) {
     const float* inverse_depth = source.inverse_depth.row(y);
     float *u = w.u.row(y + 1) + 1, *v = w.v.row(y + 1) + 1;
@@ -110,14 +106,11 @@ Box move_template(const MaskTemplate& source, const SE3f& T, const Camera& camer
         u[x] = v[x] = q[x] = scale[x] = 0;
         continue;
       }
-      scale[x] = 1 / z[x];
-      if (u[x] < -0.5f || v[x] < -0.5f || u[x] > right + 0.5f || v[x] > bottom + 0.5f) {
-        outside += static_cast<double>(scale[x]) * scale[x];
-        if (u[x] < -kMaxReach || v[x] < -kMaxReach || u[x] > right + kMaxReach || v[x] > bottom + kMaxReach) {
-          u[x] = v[x] = q[x] = scale[x] = 0;
-          continue;
-        }
+      if (u[x] < -kMaxReach || v[x] < -kMaxReach || u[x] > right + kMaxReach || v[x] > bottom + kMaxReach) {
+        u[x] = v[x] = q[x] = scale[x] = 0;
+        continue;
       }
+      scale[x] = 1 / z[x];
       q[x] = inverse_depth[x] * scale[x];
       u0 = std::min(u0, u[x]);
       u1 = std::max(u1, u[x]);
@@ -258,7 +251,7 @@ void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& 
 
   out.clear();
   const SE3f T = T_cur_template.template cast<float>();
-  const warping::Box box = warping::move_template(source, T, camera, workspace, out.expected_area);
+  const warping::Box box = warping::move_template(source, T, camera, workspace);
   if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
   warping::draw_surface(workspace, box);
   Image<float>& surface = workspace.surface;
@@ -275,7 +268,6 @@ void warp(const MaskTemplate& source, const SE3d& T_cur_template, const Camera& 
     warping::trim_row(line, surface.width(), trim ? inverse_depth_cur.row(v) + box.x0 : nullptr,
                       static_cast<float>(tolerance), out);
   }
-  out.expected_area += out.inside_area;
   warping::take_pixels(surface, box.x0, box.y0, out);
 }
 

@@ -78,7 +78,6 @@ void DirectAligner<Reduction>::refine(const AlignProblem<Camera>& problem, int l
       damped.diagonal() += 1e-7 * H.diagonal() + Vector8::Constant(1e-9);
       const Eigen::LDLT<Matrix8> solver(damped);
       const Vector8 x = -solver.solve(g);
-      a.H = H;
       last = solver;
       modes = sums.modes, modes_R = A.R;
       if (!x.allFinite()) break;

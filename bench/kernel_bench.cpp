@@ -67,9 +67,9 @@ void report(benchmark::State& state, int points) {
   state.counters["ns_per_point"] = Counter(1e-9 * points, Counter::kIsIterationInvariantRate | Counter::kInvert);
 }
 
-/// `full`: gain and offset too; `depth`: and the depth term.
-void kernels(benchmark::State& state, const dot::kernel::Kernels* k, bool full, bool depth,
-             dot::GradientSource gradient = dot::GradientSource::Image) {
+/// @param depth with the depth term.
+void linearize(benchmark::State& state, const dot::kernel::Kernels* k, bool depth,
+               dot::GradientSource gradient = dot::GradientSource::Image) {
   const Problem& p = problem();
   dot::DepthTerm term;
   if (depth) {
@@ -82,7 +82,7 @@ void kernels(benchmark::State& state, const dot::kernel::Kernels* k, bool full, 
   in.gradient = gradient;
   dot::kernel::Sums sums;
   for (auto _ : state) {
-    full ? k->linearize(in, sums) : k->linearize_pose(in, sums);
+    k->linearize(in, sums);
     benchmark::DoNotOptimize(sums);
     benchmark::ClobberMemory();
   }
@@ -143,12 +143,10 @@ void add(const std::string& name, dot::KernelVariant variant, dot::bench::BareLo
     benchmark::RegisterBenchmark(("BM_Kernel/" + name + "/" + what).c_str(), run)->Unit(benchmark::kMicrosecond);
   };
   if (loop) one("bare_loop", [=](benchmark::State& s) { bare(s, loop); });
-  one("pose", [=](benchmark::State& s) { kernels(s, k, false, false); });
-  one("pose_mean_gradient", [=](benchmark::State& s) { kernels(s, k, false, false, dot::GradientSource::Mean); });
-  one("pose_reference_gradient",
-      [=](benchmark::State& s) { kernels(s, k, false, false, dot::GradientSource::Reference); });
-  one("pose_gain_offset", [=](benchmark::State& s) { kernels(s, k, true, false); });
-  one("with_depth", [=](benchmark::State& s) { kernels(s, k, true, true); });
+  one("pose_gain_offset", [=](benchmark::State& s) { linearize(s, k, false); });
+  one("mean_gradient", [=](benchmark::State& s) { linearize(s, k, false, dot::GradientSource::Mean); });
+  one("reference_gradient", [=](benchmark::State& s) { linearize(s, k, false, dot::GradientSource::Reference); });
+  one("with_depth", [=](benchmark::State& s) { linearize(s, k, true); });
   one("residuals", [=](benchmark::State& s) { residuals(s, k); });
   one("costs", [=](benchmark::State& s) { costs(s, k, false); });
   one("costs_on_quads", [=](benchmark::State& s) { costs(s, k, true); });

@@ -303,40 +303,6 @@ TEST(Kernel, QuadsShowTheSameImage) {
   }
 }
 
-TEST(Kernel, PoseAloneIsTheBlockOfAll) {
-  const Image<std::uint8_t> image = texture(160, 120);
-  const PointSet points = random_points(2000, 11);
-  const Measured measured(11);
-  for (const kernel::Kernels* k : kernel_variants())
-    for (const DepthTerm& term : {DepthTerm{}, measured.term}) {
-      kernel::Depth depth;
-      const kernel::Input in =
-          KernelReduction::input(points, 0, camera, image, {motion, 1, 0}, noise, term, nullptr, depth);
-      kernel::Sums pose, all;
-      pose.H[63] = pose.g[7] = 5;  // overwritten
-      k->linearize_pose(in, pose);
-      k->linearize(in, all);
-      EXPECT_GT(pose.seen, 300);
-      EXPECT_EQ(pose.seen, all.seen);
-      // In plain C++ the compiler may round a product and a sum once, and in the two functions not alike. The lanes
-      // say themselves where.
-      const bool contracts = k->name == std::string("scalar");
-      const auto same = [&](double a, double b, double scale) {
-        return a == b || (contracts && std::abs(a - b) < 1e-5 * scale);
-      };
-      EXPECT_TRUE(same(pose.cost, all.cost, all.cost)) << k->name;
-      for (int r = 0; r < 8; ++r) {
-        const double diagonal = r < 6 ? all.H[9 * r] : 0;
-        EXPECT_TRUE(same(pose.g[r], r < 6 ? all.g[r] : 0, std::sqrt(diagonal * all.cost)))
-            << k->name << " " << pose.g[r] << " " << all.g[r];
-        for (int c = 0; c < 8; ++c)
-          EXPECT_TRUE(
-              same(pose.H[8 * r + c], r < 6 && c < 6 ? all.H[8 * r + c] : 0, std::sqrt(diagonal * all.H[9 * c])))
-              << k->name << " " << pose.H[8 * r + c] << " " << all.H[8 * r + c];
-      }
-    }
-}
-
 TEST(Kernel, WhatIsNotSeenAddsNothing) {
   const Image<std::uint8_t> image = texture(160, 120);
   const Measured measured(12);

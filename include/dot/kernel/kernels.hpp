@@ -18,10 +18,9 @@ namespace dot::kernel {
 struct Kernels {
   const char* name;
   void (*residuals)(const Input& in, const Residuals& out);
-  void (*costs)(const Input& in, Costs& out);          ///< reads quads for GradientSource::Image
-  void (*moments)(const Input& in, Moments& out);      ///< reads quads; needs no gradient, and no depth term
-  void (*linearize)(const Input& in, Sums& out);       ///< pose, gain and offset
-  void (*linearize_pose)(const Input& in, Sums& out);  ///< pose alone
+  void (*costs)(const Input& in, Costs& out);      ///< reads quads for GradientSource::Image
+  void (*moments)(const Input& in, Moments& out);  ///< reads quads; needs no gradient, and no depth term
+  void (*linearize)(const Input& in, Sums& out);   ///< overwrites `out`
   /// Samples a level of at least 4 x 4 pixels at n points (u, v), pixels of level 0. `scale` is the size of such a
   /// pixel in pixels of the level. Points at the border are moved inside.
   void (*sample)(const Level& level, float scale, const float* u, const float* v, int n, const Samples& out);

@@ -92,17 +92,13 @@ struct Partial {
       for (auto& sum : row) sum = V::set(0);
   }
 
-  template <int kParameters, bool kDepth>
+  template <bool kDepth>
   void add(const Block& b, int n) {
     // Tiles of about a dozen sums. They fit into the registers and are enough to hide the latency of each sum.
     add_products<V, 0, 2, 0, 6>(b.weight, b.photo, n, photo);
     add_products<V, 2, 4, 2, 4>(b.weight, b.photo, n, photo);
-    if constexpr (kParameters == 6) {
-      add_products<V, 0, 6, kResidual, 1>(b.weight, b.photo, n, photo);
-    } else {
-      add_products<V, 0, 4, kReference, 3>(b.weight, b.photo, n, photo);
-      add_products<V, 4, 4, kReference, 3>(b.weight, b.photo, n, photo);
-    }
+    add_products<V, 0, 4, kReference, 3>(b.weight, b.photo, n, photo);
+    add_products<V, 4, 4, kReference, 3>(b.weight, b.photo, n, photo);
     if constexpr (kDepth) {
       add_products<V, 0, 4, kByDepth, 3>(b.weight, b.photo, n, photo);
       add_products<V, 4, 4, kByDepth, 3>(b.weight, b.photo, n, photo);
@@ -111,10 +107,10 @@ struct Partial {
   }
 
   /// Adds to `out`; of H only the upper triangle.
-  template <int kParameters, bool kDepth>
+  template <bool kDepth>
   void flush(Sums& out) {
-    for (int r = 0; r < kParameters; ++r) {
-      for (int c = r; c < kParameters; ++c) out.H[8 * r + c] += static_cast<double>(V::sum(photo[r][c]));
+    for (int r = 0; r < 8; ++r) {
+      for (int c = r; c < 8; ++c) out.H[8 * r + c] += static_cast<double>(V::sum(photo[r][c]));
       out.g[r] += static_cast<double>(V::sum(photo[r][kResidual]));
       if constexpr (kDepth)
         for (int m = 0; m < 3; ++m) out.modes[m][r] += static_cast<double>(V::sum(photo[r][kByDepth + m]));
@@ -148,7 +144,7 @@ void centre_modes(const Points& p, const Tally<V>& tally, Sums& out) {
   }
 }
 
-template <typename V, GradientSource kGradient, int kParameters, bool kDepth>
+template <typename V, GradientSource kGradient, bool kDepth>
 void all_products(const Input& in, Sums& out) {
   Block block;
   for (float& f : block.photo[kMinusOne]) f = -1;
@@ -165,9 +161,9 @@ void all_products(const Input& in, Sums& out) {
       const Points last = tail.fill(in.points, start + whole, count - whole);
       evaluate<V, kGradient, Wanted::Columns, kDepth>(in, last, V::W, nullptr, &block, whole, tally);
     }
-    partial.template add<kParameters, kDepth>(block, (count + V::W - 1) / V::W * V::W);
+    partial.template add<kDepth>(block, (count + V::W - 1) / V::W * V::W);
     if (++blocks == kBlocksInAChunk || start + kBlock >= n) {
-      partial.template flush<kParameters, kDepth>(out);
+      partial.template flush<kDepth>(out);
       out.cost += static_cast<double>(V::sum(tally.cost));
       tally.cost = V::set(0);
       blocks = 0;
@@ -179,20 +175,19 @@ void all_products(const Input& in, Sums& out) {
   if constexpr (kDepth) centre_modes<V>(in.points, tally, out);
 }
 
-template <typename V, GradientSource kGradient, int kParameters>
+template <typename V, GradientSource kGradient>
 void linearize_by(const Input& in, Sums& out) {
-  in.depth ? all_products<V, kGradient, kParameters, true>(in, out)
-           : all_products<V, kGradient, kParameters, false>(in, out);
+  in.depth ? all_products<V, kGradient, true>(in, out) : all_products<V, kGradient, false>(in, out);
 }
 
-template <typename V, int kParameters>
+template <typename V>
 void linearize(const Input& in, Sums& out) {
   out = Sums{};
   if (in.points.n <= 0 || in.level.width < 5 || in.level.height < 5) return;  // sampling needs a border
   switch (in.gradient) {
-    case GradientSource::Image: return linearize_by<V, GradientSource::Image, kParameters>(in, out);
-    case GradientSource::Reference: return linearize_by<V, GradientSource::Reference, kParameters>(in, out);
-    case GradientSource::Mean: return linearize_by<V, GradientSource::Mean, kParameters>(in, out);
+    case GradientSource::Image: return linearize_by<V, GradientSource::Image>(in, out);
+    case GradientSource::Reference: return linearize_by<V, GradientSource::Reference>(in, out);
+    case GradientSource::Mean: return linearize_by<V, GradientSource::Mean>(in, out);
   }
 }
 

@@ -6,7 +6,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
+
+#include <Eigen/Cholesky>
 
 #include "dot/align/alignment.hpp"
 #include "dot/align/kernel_reduction.hpp"
@@ -221,10 +224,37 @@ struct DirectAligner {
     for (const int k : {0, 3}) g.segment<3>(k) = (R.transpose() * g.segment<3>(k)).eval();
   }
 
+  /// One level of a problem.
+  template <typename Camera>
+  struct OnLevel {
+    const AlignProblem<Camera>& problem;
+    int level;
+    Camera camera;
+    const Image<std::uint8_t>& image;
+    DepthTerm depth;
+  };
+
+  /// The normal equations of the last accepted state.
+  struct Solved {
+    Eigen::LDLT<Matrix8> solver;
+    std::array<Vector8, 4> modes;  ///< NormalEquations::modes
+    Matrix3<double> R;             ///< turn from the axes of x to those of the modes
+  };
+
   /// Gauss-Newton on one level. On level 0 it is repeated if the first round changed the residual scale or did not
   /// converge. @param near as in `align_near`.
   template <typename Camera>
   void refine(const AlignProblem<Camera>& problem, int level, Alignment& a, bool want_covariance, bool near = false);
+
+  /// Gauss-Newton at one residual scale, until the cost rises or a step is small. @param last set if any state was
+  /// accepted.
+  template <typename Camera>
+  void step_to_minimum(const OnLevel<Camera>& on, Alignment& a, std::optional<Solved>& last);
+
+  /// Adds the priors of the motion T_o, which has moved the centroid to `moved`, and of gain and offset.
+  template <typename Camera>
+  static void add_priors(const AlignProblem<Camera>& problem, const AlignState& state, const SE3d& T_o,
+                         const Vector3<double>& moved, NormalEquations& sums);
 
   PointResiduals residuals_;
   bool are_current_ = false;  ///< whether they are those of the alignment at hand, on the level that is refined

@@ -96,10 +96,7 @@ struct SerialReduction {
   template <typename Camera>
   static void residuals(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
                         const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
-                        PointResiduals& out) {
-    out.resize(static_cast<std::size_t>(points.size()));
-    run(points, level, camera, image, state, noise, depth, nullptr, Vector3<double>::Zero(), &out, nullptr);
-  }
+                        PointResiduals& out);
 
   /// Tukey's costs of the points that are seen at `state`. @param quads of the image, or null; a faster reduction may
   /// read them instead. @param scratch contents unspecified afterwards.
@@ -121,18 +118,7 @@ struct SerialReduction {
   static NormalEquations linearize(const PointSet& points, int level, const Camera& camera,
                                    const Image<std::uint8_t>& image, const AlignState& state,
                                    const ResidualNoise& noise, const DepthTerm& depth, const std::uint8_t* excluded,
-                                   const Vector3<double>& centre = Vector3<double>::Zero()) {
-    NormalEquations sums;
-    run(points, level, camera, image, state, noise, depth, excluded, centre, nullptr, &sums);
-    return sums;
-  }
-
- private:
-  template <typename Camera>
-  static void run(const PointSet& points, int level, const Camera& camera, const Image<std::uint8_t>& image,
-                  const AlignState& state, const ResidualNoise& noise, const DepthTerm& depth,
-                  const std::uint8_t* excluded, const Vector3<double>& centre, PointResiduals* out,
-                  NormalEquations* sums);
+                                   const Vector3<double>& centre = Vector3<double>::Zero());
 };
 
 DOT_END_NAMESPACE

@@ -43,98 +43,7 @@ struct CameraMotionEstimator {
   template <typename Camera, typename Aligner>
   Alignment estimate(const PointSet& points, const Pyramid& image, const Camera& camera,
                      const std::vector<SE3d>& predicted, const CameraSearch* search, const MotionEvidence& evidence,
-                     Aligner& aligner, MinimaWorkspace& workspace) const {
-    const AlignProblem<Camera> problem{points, image, camera};
-    const int top = std::min(points.levels, image.size()) - 1, fine = std::min(1, top);
-    // Minima are compared on the second finest level. Only the remaining ones are refined on the finest.
-    Minima& minima = workspace.minima;
-    minima.found.clear();
-    const double depth = median_depth(points, workspace.depths);
-    std::vector<AlignState>& starts = workspace.starts;
-    const auto add = [&](const AlignState& start, int coarsest) {
-      const Alignment a = aligner.align(problem, start, coarsest, fine);
-      minima.add(problem, a);
-      return a.state;
-    };
-    const auto add_near = [&](const AlignState& start) {
-      minima.add(problem, aligner.align_near(problem, start, fine));
-    };
-    AlignState first;
-    bool turns_as_predicted = false;
-    for (std::size_t i = 0; i < predicted.size(); ++i) {
-      const AlignState found = add({predicted[i]}, top);
-      if (i == 0) first = found;
-      if (!UnexpectedTurn::is_in(points, camera, found.T, predicted[i])) turns_as_predicted = true;
-      add_near({predicted[i], found.gain, found.offset});
-    }
-    workspace.few.take_every(std::max(1, points.size() / (search ? kSearched : kRanked)), points);
-    const AlignProblem<Camera> few{workspace.few, image, camera};
-    if (predicted.back().log().norm() > 1e-3) {  // a part of the points finds the minimum, all of them measure it
-      const AlignState stands{SE3d{}, first.gain, first.offset};
-      add(aligner.align(few, stands, top, fine).state, fine);
-    }
-    if (!search && !turns_as_predicted && evidence.turns) {
-      const double sigma = aligner.intensity_sigma(few, first, CameraSearch::level_of(top + 1));
-      UnexpectedTurn::find(*evidence.turns, few, predicted.back() * evidence.T_points_prev,
-                           evidence.T_points_prev.inverse(), sigma, fine, aligner, workspace);
-      for (const AlignState& start : starts) {
-        add(aligner.align(few, start, CameraSearch::level_of(top + 1), fine).state, fine);
-        add_near(start);
-      }
-    }
-    if (search) {
-      const double sigma = aligner.intensity_sigma(problem, first, CameraSearch::level_of(top + 1));
-      search->find(few, depth, sigma, aligner, workspace);
-      search->align_starts(few, fine, sigma, CameraSearch::kThorough, aligner, workspace,
-                           [&](const Alignment& a) { minima.add(problem, a, kSameFine); });
-    }
-
-    // A few points may agree by chance, and then better than others. Without contrast or far off, all may agree.
-    const auto far_off = [&](const SE3d& T) {
-      return std::none_of(predicted.begin(), predicted.end(),
-                          [&](const SE3d& other) { return search->reaches(T * other.inverse()); });
-    };
-    int enough = search ? std::min(settings.min_points, kEnoughRanked) : settings.min_points;
-    const auto tells_nothing = [&](const Alignment& a) {
-      return a.seen < enough || a.state.gain < kMinGain || (search && far_off(a.state.T));
-    };
-    minima.drop_if(tells_nothing);
-    double sigma = std::numeric_limits<double>::infinity();
-    for (const Alignment& a : minima.found) sigma = std::min(sigma, aligner.intensity_sigma(problem, a.state, fine));
-    if (search) {
-      keep_best(few, fine, sigma, aligner, workspace);
-      const auto second = SecondMotion::find(few, minima.found.front().state, *search, evidence, depth, fine, sigma,
-                                             aligner, workspace);
-      for (Alignment& a : minima.found) a = aligner.align(problem, a.state, fine, fine);
-      if (second) add_near(*second);
-    }
-    // With a known velocity, minima that cost much more than the best one have no better ones beside them either.
-    const std::size_t unshifted = minima.found.size();
-    const auto cost_of = [&](const Alignment& a) { return aligner.tukey_cost(few, a.state, fine, sigma); };
-    double lowest = std::numeric_limits<double>::infinity();
-    if (!search)
-      for (const Alignment& a : minima.found) lowest = std::min(lowest, cost_of(a));
-    const AlignProblem<Camera> scanned = search ? CameraSearch::part_of(few, CameraSearch::kScanned, workspace) : few;
-    for (std::size_t i = 0; i < unshifted; ++i) {
-      if (!search && cost_of(minima.found[i]) > kHopeless * lowest) continue;
-      shifted(scanned, minima.found[i], fine, sigma, depth, aligner, workspace);
-      for (const AlignState& start : starts) add_near(start);
-    }
-    enough = settings.min_points;
-    minima.drop_if(tells_nothing);
-    std::vector<Alignment>& candidates = minima.found;
-    if (fine > 0)
-      for (Alignment& a : candidates) a = aligner.align_near(problem, a.state, 0);
-    if (candidates.size() == 1) {
-      aligner.reject_outliers_and_refit(problem, candidates[0], fine > 0);
-      return candidates[0];
-    }
-    const MotionChoice choice(problem, candidates, predicted.back(), evidence, settings, aligner, workspace);
-    Alignment& chosen = candidates[choice.chosen];
-    if (choice.rival) return refined(choice, problem, candidates, aligner, workspace);
-    aligner.reject_outliers_and_refit(problem, chosen);
-    return chosen;
-  }
+                     Aligner& aligner, MinimaWorkspace& workspace) const;
 
   /// Whether the result of `estimate` is trusted. @param known the motion was predicted.
   bool accepts(const Alignment& a, bool known) const {
@@ -171,6 +80,9 @@ struct CameraMotionEstimator {
   static constexpr int kSteps = 6;             ///< the same along the least determined direction
   static constexpr double kHopeless =
       1.5;  ///< largest cost of a shift over that of its start, of a start over the best
+
+  template <typename Camera, typename Aligner>
+  struct Estimation;
 
   /// Sets the starts to shifts that may lead to other minima. Shifts go along the optical axis, where the near ground
   /// looks alike at small steps, and along the least determined direction, without and with the rotation, gain and
@@ -264,3 +176,5 @@ struct CameraMotionEstimator {
 };
 
 DOT_END_NAMESPACE
+
+#include "dot/camera_motion/impl/estimator.hpp"

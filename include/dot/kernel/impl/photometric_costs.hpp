@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dot/kernel/impl/photometric_factor.hpp"
+#include "dot/kernel/impl/photometric_pass.hpp"
 
 /// @file
 /// The kernels that compare places: sums over the residuals, which are not stored.

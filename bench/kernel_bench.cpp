@@ -106,7 +106,7 @@ void costs(benchmark::State& state, const dot::kernel::Kernels* k, bool on_quads
   dot::Pyramid pyramid;
   pyramid.levels.push_back(p.image);
   dot::Quads quads;
-  quads.take(pyramid, 0);
+  quads.copy_level(pyramid, 0);
   dot::KernelReduction reduction{k};
   dot::PointResiduals scratch;
   for (auto _ : state)

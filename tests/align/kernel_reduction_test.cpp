@@ -281,7 +281,7 @@ TEST(Kernel, QuadsShowTheSameImage) {
     const auto compare = [&](const Image<std::uint8_t>& image, const PointSet& seen, const ResidualNoise& model,
                              const DepthTerm& depth) {
       dot::Quads quads;
-      quads.take(level_of(image), 0);
+      quads.copy_level(level_of(image), 0);
       const auto want = reduction.costs(seen, 0, camera, image, nullptr, state, model, depth, scratch);
       const auto got = reduction.costs(seen, 0, camera, image, &quads, state, model, depth, scratch);
       EXPECT_GT(got.seen, 300) << k->name;
@@ -295,7 +295,7 @@ TEST(Kernel, QuadsShowTheSameImage) {
     compare(texture(160, 120), exact, without_gradient, {});
     compare(texture(160, 120), exact, without_gradient, measured.term);
     dot::Quads smaller;  // of another level: not read
-    smaller.take(level_of(texture(80, 60)), 0);
+    smaller.copy_level(level_of(texture(80, 60)), 0);
     EXPECT_EQ(reduction.costs(points, 0, camera, across, &smaller, state, noise, {}, scratch).sum,
               reduction.costs(points, 0, camera, across, nullptr, state, noise, {}, scratch).sum);
     compare(across, points, with_gradient, {});

@@ -103,7 +103,7 @@ class Camera {
     step.seconds = 1 / setting.rate;
     step.T_cur_prev = dot::SE3d::translation(Vector3<double>(-setting.measured * way, 0, 0));
     step.alignment.stands = setting.stands_every > 0 && frames_++ % setting.stands_every == 0;
-    found |= parts.look(frame_, background_, ids_, step, camera_, dot::portable_kernels(), threads);
+    found |= parts.update(frame_, background_, ids_, step, camera_, dot::portable_kernels(), threads);
   }
 
   static constexpr int kSteps = 2;  ///< of the wall's image, a pixel
@@ -312,8 +312,8 @@ TEST(FixedParts, AreNoneInAnImageThatIsTooSmall) {
   FixedParts parts;
   for (int i = 0; i < 10; ++i) {
     frame.timestamp = i;
-    EXPECT_FALSE(parts.look(frame, background, Image<std::uint32_t>(5, 5), {}, dot::Pinhole(small_camera()),
-                            dot::portable_kernels(), dot::Threads{}));
+    EXPECT_FALSE(parts.update(frame, background, Image<std::uint32_t>(5, 5), {}, dot::Pinhole(small_camera()),
+                              dot::portable_kernels(), dot::Threads{}));
   }
   parts.exclude(background);
   EXPECT_EQ(parts.share(), 0);

@@ -63,7 +63,7 @@ struct Step {
     aligner.reject_outliers_and_refit(problem, camera.alignment);
     dot::CameraMotionEstimator estimator;
     estimator.settings.covariance_scale = kScale;
-    estimator.take(problem, SE3d{}, aligner, camera);
+    estimator.set_motion(problem, SE3d{}, aligner, camera);
     camera.rolling.is_usual = !camera.rolling.turn.isZero(0);
   }
 

@@ -59,8 +59,8 @@ Diagnosis look(const Setting& setting, int frames = 40) {
     frame.repeats = again;
     frame.depth.levels[0] = scene(100 + (again ? i - 1 : i) - setting.depth_late, setting.scale).depth.levels[0];
     if (setting.no_depth) frame.depth.levels[0].fill(0);
-    last =
-        watch.look(frame, noise, i > 0 ? setting.seconds : 0, 1, setting.few_points, setting.shares, setting.row_turn);
+    last = watch.update(frame, noise, i > 0 ? setting.seconds : 0, 1, setting.few_points, setting.shares,
+                        setting.row_turn);
   }
   return last;
 }
@@ -119,7 +119,7 @@ TEST(Watch, TakesOneRepeatedImageForAnAccident) {
   for (int i = 0; i < 30; ++i) {
     dot::FrameData frame = scene(100 + i);
     frame.repeats = i == 3;
-    EXPECT_EQ(watch.look(frame, noise, i > 0 ? 0.1 : 0, 1, false).reason, Suspicion::None) << i;
+    EXPECT_EQ(watch.update(frame, noise, i > 0 ? 0.1 : 0, 1, false).reason, Suspicion::None) << i;
   }
 }
 
@@ -131,7 +131,7 @@ TEST(Watch, TellsAnImageThatStaysFromACameraThatStandsForAWhile) {
     const int stood = i < 16 ? i : i < 60 ? 0 : i - 59, moved = i < 16 ? 0 : i < 60 ? i - 15 : 44;
     dot::FrameData frame = scene(100 + moved);
     frame.repeats = stood;
-    const dot::Diagnosis diagnosis = watch.look(frame, noise, i > 0 ? 0.1 : 0, 1, false);
+    const dot::Diagnosis diagnosis = watch.update(frame, noise, i > 0 ? 0.1 : 0, 1, false);
     EXPECT_EQ(diagnosis.reason, stood < 16 ? Suspicion::None : Suspicion::RepeatedImages) << i;
     EXPECT_EQ(diagnosis.figure, stood < 16 ? 0 : 1) << i;
   }
@@ -176,7 +176,7 @@ TEST(Watch, TellsLittleTextureFromDepthThatComesWithSomeFrames) {
     dot::FrameData frame = scene(100 + i);
     const bool without = i % 3 != 0;
     if (without) frame.depth.levels[0].fill(0);
-    const Diagnosis diagnosis = watch.look(frame, noise, i > 0 ? 0.1 : 0, 1, without);
+    const Diagnosis diagnosis = watch.update(frame, noise, i > 0 ? 0.1 : 0, 1, without);
     if (i < 20) continue;
     EXPECT_EQ(diagnosis.reason, Suspicion::TooLittleDepth) << i;
     EXPECT_EQ(diagnosis.figure, 0) << i;
@@ -196,10 +196,10 @@ TEST(Watch, NoticesDepthThatIsCutOff) {
 TEST(Watch, ForgetsOnRequest) {
   dot::Watch watch;
   const dot::DepthNoise noise(dot::DepthNoiseSettings{}, dot::Intrinsics{300, 300, 160, 120, kWidth, kHeight, 0});
-  for (int i = 0; i < 20; ++i) watch.look(scene(i), noise, i > 0 ? 100 : 0, 1, false);
-  EXPECT_EQ(watch.look(scene(20), noise, 100, 1, false).reason, Suspicion::ImplausibleTimes);
+  for (int i = 0; i < 20; ++i) watch.update(scene(i), noise, i > 0 ? 100 : 0, 1, false);
+  EXPECT_EQ(watch.update(scene(20), noise, 100, 1, false).reason, Suspicion::ImplausibleTimes);
   watch.forget();
-  EXPECT_EQ(watch.look(scene(21), noise, 0, 1, false).reason, Suspicion::None);
+  EXPECT_EQ(watch.update(scene(21), noise, 0, 1, false).reason, Suspicion::None);
 }
 
 TEST(Watch, TakesImagesTooSmallToTell) {
@@ -212,7 +212,7 @@ TEST(Watch, TakesImagesTooSmallToTell) {
     for (int x = 0; x < 8; ++x) small.pyramid.levels[0](x, y) = 100, small.depth.levels[0](x, y) = 0.5f;
   dot::Watch watch;
   const dot::DepthNoise noise(dot::DepthNoiseSettings{}, dot::Intrinsics{8, 8, 4, 4, 8, 8, 0});
-  for (int i = 0; i < 20; ++i) EXPECT_EQ(watch.look(small, noise, i > 0 ? 0.1 : 0, 1, false).reason, Suspicion::None);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(watch.update(small, noise, i > 0 ? 0.1 : 0, 1, false).reason, Suspicion::None);
 }
 
 TEST(Suspicion, HasNames) {

@@ -28,12 +28,12 @@ std::vector<float> ground_and(double wall, double nearest = 3) {
 }
 
 double look(DepthSaturation& saturation, const std::vector<float>& metres) {
-  return saturation.look({metres.data(), kWidth, kHeight, kWidth * 4, dot::PixelFormat::DepthF32}, 400);
+  return saturation.update({metres.data(), kWidth, kHeight, kWidth * 4, dot::PixelFormat::DepthF32}, 400);
 }
 double look_at_words(DepthSaturation& saturation, const std::vector<float>& metres) {
   std::vector<std::uint16_t> words;
   for (const float z : metres) words.push_back(static_cast<std::uint16_t>(z * 1000));
-  return saturation.look({words.data(), kWidth, kHeight, kWidth * 2, dot::PixelFormat::DepthU16, 1000}, 400);
+  return saturation.update({words.data(), kWidth, kHeight, kWidth * 2, dot::PixelFormat::DepthU16, 1000}, 400);
 }
 
 const SE3d kForwards = SE3d::translation({0, 0, -0.2}), kSideways = SE3d::translation({0.3, 0, 0});

@@ -45,7 +45,7 @@ Grey lit(Grey grey, int frame, double amplitude, double periods = 2.7) {
 Grey removed(FlickerRemoval& removal, Grey grey, bool follows = true) {
   dot::Pyramid pyramid;
   pyramid.build(grey.view(), 3);
-  if (!removal.look(pyramid, follows)) return {};
+  if (!removal.compare(pyramid, follows)) return {};
   for (int y = 0; y < grey.height(); ++y) removal.correct(y, grey.height(), grey.row(y), grey.width());
   return grey;
 }

@@ -57,7 +57,7 @@ std::vector<bool> repeats(const std::vector<Exposure>& exposures) {
   std::vector<bool> out;
   for (const Exposure& each : exposures) {
     const Pyramid now = camera.take(each);
-    out.push_back(repeated.look(now, out.empty() ? nullptr : &before));
+    out.push_back(repeated.repeats(now, out.empty() ? nullptr : &before));
     before = now;
   }
   return out;
@@ -100,12 +100,12 @@ TEST(RepeatedImage, OfTheSameBytesIsKnownWithoutTexture) {
   plain.fill(90);
   Pyramid a;
   a.build(std::as_const(plain).view(), 3);
-  EXPECT_FALSE(repeated.look(a, nullptr));
-  EXPECT_TRUE(repeated.look(a, &a));
+  EXPECT_FALSE(repeated.repeats(a, nullptr));
+  EXPECT_TRUE(repeated.repeats(a, &a));
   plain(5, 5) = 200;
   Pyramid b;
   b.build(std::as_const(plain).view(), 3);
-  EXPECT_FALSE(repeated.look(b, &a)) << "nothing tells";
+  EXPECT_FALSE(repeated.repeats(b, &a)) << "nothing tells";
 }
 
 TEST(RepeatedImage, IsNotKnownAfterAGapOrABlackImage) {
@@ -117,27 +117,27 @@ TEST(RepeatedImage, IsNotKnownAfterAGapOrABlackImage) {
   dark.fill(0);
   Pyramid black;
   black.build(std::as_const(dark).view(), 3);
-  EXPECT_FALSE(repeated.look(first, nullptr));
-  EXPECT_FALSE(repeated.look(second, &first));
-  EXPECT_FALSE(repeated.look(again, nullptr));
-  EXPECT_FALSE(repeated.look(second, &again)) << "what is usual is not known yet";
-  EXPECT_FALSE(repeated.look(black, &second));
-  EXPECT_FALSE(repeated.look(first, &black));
-  EXPECT_FALSE(repeated.look(first = camera.take({0, 0}), &black)) << "what was usual before is not known any more";
+  EXPECT_FALSE(repeated.repeats(first, nullptr));
+  EXPECT_FALSE(repeated.repeats(second, &first));
+  EXPECT_FALSE(repeated.repeats(again, nullptr));
+  EXPECT_FALSE(repeated.repeats(second, &again)) << "what is usual is not known yet";
+  EXPECT_FALSE(repeated.repeats(black, &second));
+  EXPECT_FALSE(repeated.repeats(first, &black));
+  EXPECT_FALSE(repeated.repeats(first = camera.take({0, 0}), &black)) << "what was usual before is not known any more";
 }
 
 TEST(RepeatedImage, OfAnotherSizeIsNone) {
   Camera camera;
   RepeatedImage repeated;
   const Pyramid first = camera.take({});
-  EXPECT_FALSE(repeated.look(first, nullptr));
+  EXPECT_FALSE(repeated.repeats(first, nullptr));
   for (const auto& [width, levels] : {std::pair{40, 1}, {300, 3}}) {
     Image<std::uint8_t> small(width, 21);
     small.fill(7);
     Pyramid other;
     other.build(std::as_const(small).view(), levels);
-    EXPECT_FALSE(repeated.look(other, &first));
-    EXPECT_TRUE(repeated.look(other, &other));
+    EXPECT_FALSE(repeated.repeats(other, &first));
+    EXPECT_TRUE(repeated.repeats(other, &other));
   }
 }
 

@@ -105,7 +105,7 @@ TEST(CoarseOutline, PredictsWhereTheExactOneIs) {
     const dot::FramePtr frame = frame_of({{mask, kObject}});
     dot::OutlineWorkspace workspace;
     TrackedOutline outline;
-    outline.take(mask, {}, frame, 0.01, kCamera, {}, workspace);
+    outline.set_shape(mask, {}, frame, 0.01, kCamera, {}, workspace);
     ASSERT_GT(outline.coarse.level, 0);
     for (const Vector3d& t :
          {Vector3d(0, 0, 0), Vector3d(1.5, 0.2, 0), Vector3d(0, 0, -3), Vector3d(0, 0, 4), Vector3d(-8, 0, 0)})
@@ -131,7 +131,7 @@ TEST(CoarseOutline, TheExactShapeIsMadeWhenItIsNeeded) {
   const dot::FramePtr frame = frame_of({{mask, kObject}}), next = frame_of({{ellipse(360, 230, 100, 70), kObject}});
   dot::OutlineWorkspace workspace;
   TrackedOutline outline;
-  outline.take(mask, {}, frame, 0.01, kCamera, {}, workspace);
+  outline.set_shape(mask, {}, frame, 0.01, kCamera, {}, workspace);
   EXPECT_EQ(outline.shape_frame, frame);
   EXPECT_NEAR(outline.shape.median, kObject, 1e-6);
 
@@ -167,7 +167,7 @@ TEST(CoarseOutline, TheExactOutlineHasAFineSurface) {
     const dot::FramePtr frame = slanted_frame(1);
     dot::OutlineWorkspace workspace;
     TrackedOutline outline;
-    outline.take(mask, {}, frame, 0.01, kCamera, {}, workspace);
+    outline.set_shape(mask, {}, frame, 0.01, kCamera, {}, workspace);
     EXPECT_GT(outline.coarse.level, level);
     outline.warp_by(T, dot::Image<float>(kWidth, kHeight), kCamera, {}, workspace);
     EXPECT_EQ(outline.surface.level, level);
@@ -186,7 +186,7 @@ TEST(CoarseOutline, TheSurfaceIsOfTheLastMask) {
   for (const double size : {150., 35., 60., 150.})
     for (const float q : {kObject, 2 * kObject}) {
       const Mask mask = ellipse(300, 200, size, size);
-      outline.take(mask, {}, frame_of({{mask, q}}), 0.01, kCamera, {}, workspace);
+      outline.set_shape(mask, {}, frame_of({{mask, q}}), 0.01, kCamera, {}, workspace);
       outline.warp_by({}, dot::Image<float>(kWidth, kHeight), kCamera, {}, workspace);
       EXPECT_EQ(dot::overlap(outline.warped.mask, mask), mask.area);
       EXPECT_EQ(outline.warped.mask.area, mask.area);
@@ -199,7 +199,7 @@ TEST(CoarseOutline, TheExactOutlineHasACoarseSurfaceIfThereIsNoOther) {
   const Mask mask = ellipse(300, 200, 150, 105);
   dot::OutlineWorkspace workspace;
   TrackedOutline outline;
-  outline.take(mask, {}, slanted_frame(0.1), 0.01, kCamera, {}, workspace);
+  outline.set_shape(mask, {}, slanted_frame(0.1), 0.01, kCamera, {}, workspace);
   ASSERT_GT(outline.coarse.level, 1);
   outline.warp_by({}, dot::Image<float>(kWidth, kHeight), kCamera, {}, workspace);
   EXPECT_EQ(outline.surface.level, outline.coarse.level);
@@ -213,7 +213,7 @@ TEST(CoarseOutline, StaysInsideTheImage) {
                            ellipse(300, kHeight, 400, 5), ellipse(0, 0, 200, 100)}) {
     const dot::FramePtr frame = frame_of({{mask, kObject}});
     TrackedOutline outline;
-    outline.take(mask, {}, frame, 0.01, kCamera, {}, workspace);
+    outline.set_shape(mask, {}, frame, 0.01, kCamera, {}, workspace);
     outline.predict_by(SE3d::translation(Vector3d(0.2, 0.2, 0)), frame->depth, kCamera, {}, workspace);
     const auto [x, y, width, height] = outline.warped.mask.box();
     EXPECT_GE(std::min(x, y), 0);
@@ -229,7 +229,7 @@ TEST(CoarseOutline, GivesItsSurfaceOnRequest) {
   const dot::FramePtr frame = frame_of({{mask, kObject}});
   dot::OutlineWorkspace workspace;
   TrackedOutline outline;
-  outline.take(mask, {}, frame, 0.01, kCamera, {}, workspace);
+  outline.set_shape(mask, {}, frame, 0.01, kCamera, {}, workspace);
   outline.predict_by({}, frame->depth, kCamera, {}, workspace, true);
   ASSERT_TRUE(outline.is_coarse);
   const dot::WarpedMask& warped = outline.warped;
@@ -246,7 +246,7 @@ TEST(CoarseOutline, NeedsDepthInside) {
   const Mask mask = ellipse(340, 230, 100, 70);
   dot::OutlineWorkspace workspace;
   TrackedOutline outline;
-  outline.take(mask, {}, frame_of({{mask, 0.f}}), 0.01, kCamera, {}, workspace);
+  outline.set_shape(mask, {}, frame_of({{mask, 0.f}}), 0.01, kCamera, {}, workspace);
   EXPECT_EQ(outline.coarse.level, 0);
   EXPECT_FALSE(outline.shape.measured);
 }
@@ -281,11 +281,11 @@ TEST(CoarseOutline, FindsTheHiddenPart) {
       whole.box(), [&](int u, int v) { return whole.at(u, v) && !post.at(u, v); }, shown);
   dot::OutlineWorkspace workspace;
   TrackedOutline outline;
-  outline.take(whole, {}, first, 0.01, kCamera, {}, workspace);
+  outline.set_shape(whole, {}, first, 0.01, kCamera, {}, workspace);
   EXPECT_TRUE(outline.hidden_part.mask.empty());
   outline.predict_by({}, second->depth, kCamera, {}, workspace);
   EXPECT_NEAR(outline.warped.occluded_area, dot::overlap(whole, post), 0.15 * dot::overlap(whole, post));
-  outline.take(shown, {}, second, 0.01, kCamera, {}, workspace);
+  outline.set_shape(shown, {}, second, 0.01, kCamera, {}, workspace);
   ASSERT_GT(outline.hidden_part.level, 0);
 
   WarpedMask moved, hidden;

@@ -32,7 +32,7 @@ struct StageStreet : StageFilm {
     tracks.predict(tracks.all(), interval(), setup);
     tracks.assign(observations, setup.mask);
     tracks.follow(tracks.all(), interval(), observations, setup);
-    too_small = tracks.place(interval(), cur, segmented, observations, discovery, setup);
+    too_small = tracks.update_masks(interval(), cur, segmented, observations, discovery, setup);
     labeller.label(tracks.far_to_near(), cur, camera_step, segmented, camera, setup.noise, setup.mask);
     for (Track* t : tracks.all()) tracks.remember(*t, *cur, setup, tracks.workers()[0]);
   }

@@ -56,8 +56,8 @@ struct CameraMotionEstimator {
   /// Sets the motion of a step to one that was accepted. @param problem what it was aligned with.
   /// @param T_prev_points from the points' frame to the one where the step begins.
   template <typename Camera, typename Aligner>
-  void take(const AlignProblem<Camera>& problem, const SE3d& T_prev_points, const Aligner& aligner,
-            CameraStep& step) const {
+  void set_motion(const AlignProblem<Camera>& problem, const SE3d& T_prev_points, const Aligner& aligner,
+                  CameraStep& step) const {
     const Alignment& a = step.alignment;
     step.T_cur_prev = a.state.T * T_prev_points.inverse();
     step.rolling = RollingShutter::measure(problem.points, problem.image.levels[0], problem.camera, a, aligner.settings,
@@ -78,7 +78,7 @@ struct CameraMotionEstimator {
   static constexpr double kSameFine = 0.5;     ///< pixels up to which two minima of a search are one, before level 0
   static constexpr int kStepsAhead = 16;       ///< number of shifts to each side; 5 cm each on a road
   static constexpr int kSteps = 6;             ///< the same along the least determined direction
-  static constexpr double kHopeless =
+  static constexpr double kMostCostRatio =
       1.5;  ///< largest cost of a shift over that of its start, of a start over the best
 
   template <typename Camera, typename Aligner>
@@ -113,7 +113,7 @@ struct CameraMotionEstimator {
       find_minima(
           steps, [&](int i) { return i == 0 ? middle : aligner.tukey_cost(problem, start(i), level, sigma); },
           [&](double cost, int i) {
-            if (i != 0 && cost < kHopeless * middle) found.push_back({cost, start(i)});
+            if (i != 0 && cost < kMostCostRatio * middle) found.push_back({cost, start(i)});
           });
     };
     along(ahead, kStepsAhead);
@@ -167,7 +167,7 @@ struct CameraMotionEstimator {
     while (kept.size() < std::min(found.size(), kCompared)) {
       const std::size_t next = costs.best(0);
       const auto cost = [&] { return aligner.tukey_cost(problem, found[next].state, level, sigma); };
-      if (costs.ratio(next, first) > kHopeless && cost() > kNegligibleCost) break;
+      if (costs.ratio(next, first) > kMostCostRatio && cost() > kNegligibleCost) break;
       kept.push_back(found[next]);
       costs.remove(next);
     }

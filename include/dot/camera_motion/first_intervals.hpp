@@ -109,7 +109,8 @@ class FirstIntervals {
     Alignment& a = step.alignment;
     a = estimator.estimate(unexplained_, problem.image, problem.camera, starts_, nullptr,
                            {no_objects, T_prev_points.inverse(), reach}, aligner, workspace);
-    estimator.take(AlignProblem<Camera>{unexplained_, problem.image, problem.camera}, T_prev_points, aligner, step);
+    estimator.set_motion(AlignProblem<Camera>{unexplained_, problem.image, problem.camera}, T_prev_points, aligner,
+                         step);
     const bool explains_much = a.inliers >= SecondMotion::kMinShare * found.alignment.seen;
     if (!explains_much || !estimator.accepts(a, false) || change_of_place(step.T_cur_prev, expected) > reach)
       return std::nullopt;

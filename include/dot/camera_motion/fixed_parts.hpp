@@ -34,12 +34,12 @@ class FixedParts {
  public:
   static constexpr double kLeastShare = 0.04;  ///< of the cells with edges and depth; less does not hold the camera
 
-  /// Looks at the next frame. @param background zero where objects are, of full size. @param ids of the objects, 0 =
-  /// background. @param step led to the frame.
+  /// Takes the next frame into account. @param background zero where objects are, of full size. @param ids of the
+  /// objects, 0 = background. @param step led to the frame.
   /// @return whether parts were found that have held the camera, so that its velocity is not known.
   template <typename Camera>
-  bool look(const FrameData& frame, const Image<std::uint8_t>& background, const Image<std::uint32_t>& ids,
-            const CameraStep& step, const Camera& camera, const kernel::Kernels& kernels, const Threads& threads) {
+  bool update(const FrameData& frame, const Image<std::uint8_t>& background, const Image<std::uint32_t>& ids,
+              const CameraStep& step, const Camera& camera, const kernel::Kernels& kernels, const Threads& threads) {
     T_cur_last_ = step.T_cur_prev * T_cur_last_;
     known_ = known_ && step.known();
     if (!edges_.add(frame, background, kernels, threads)) return false;
@@ -48,7 +48,7 @@ class FixedParts {
     scene_stays_ = stood_ > 0 || scene_stays();
     const CellShift<Camera> shift{edges_, T_cur_last_, frame.depth.levels[edges_.level()], camera};
     if (edges_.has_two_frames()) compare(shift, threads);
-    if (known_ && !is_refuted() && !scene_stays_) overlays_.look(edges_, shift, ids, threads);
+    if (known_ && !is_refuted() && !scene_stays_) overlays_.update(edges_, shift, ids, threads);
     T_cur_last_ = {};
     known_ = true;
     return edges_.is_known() && decide();

@@ -26,18 +26,19 @@ DOT_BEGIN_NAMESPACE
 /// than half of them would be an overlay's, but for those that stayed while it came there.
 class Overlays {
  public:
-  /// Looks at the next frame that counted. @param shift by the camera's motion, which is sure, since the one before.
+  /// Takes the next frame that counted into account. @param shift by the camera's motion, which is sure, since the one
+  /// before.
   /// @param ids of the objects, 0 = background, of full size.
   template <typename Camera>
-  void look(const StandingEdges& edges, const CellShift<Camera>& shift, const Image<std::uint32_t>& ids,
-            const Threads& threads) {
+  void update(const StandingEdges& edges, const CellShift<Camera>& shift, const Image<std::uint32_t>& ids,
+              const Threads& threads) {
     resize(edges);
     if (!edges.is_known()) return;
     std::swap(objects_, before_);
     objects_.clear();
     threads.run_bands(edges.rows(), [&](int, int begin, int end) {
       for (int row = begin; row < end; ++row)
-        for (int column = 0; column < edges.columns(); ++column) look(edges, shift, ids, column, row);
+        for (int column = 0; column < edges.columns(); ++column) update_cell(edges, shift, ids, column, row);
     });
     bool any = false;
     for (const Cell& cell : cells_) {
@@ -75,10 +76,9 @@ class Overlays {
     int marked = 0;  ///< of these, whose staying pixels would be an overlay's
   };
 
-  /// Looks at a cell.
   template <typename Camera>
-  void look(const StandingEdges& edges, const CellShift<Camera>& shift, const Image<std::uint32_t>& ids, int column,
-            int row) {
+  void update_cell(const StandingEdges& edges, const CellShift<Camera>& shift, const Image<std::uint32_t>& ids,
+                   int column, int row) {
     const std::size_t i = edges.index(column, row);
     Cell& cell = cells_[i];
     if (!edges.has_any_edges(i)) {

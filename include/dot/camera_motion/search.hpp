@@ -39,7 +39,7 @@ struct CameraSearch {
   void find(const AlignProblem<Camera>& problem, double depth, double sigma, Aligner& aligner,
             MinimaWorkspace& workspace) const {
     TurnSearch{radians, before}.find(problem.image, problem.camera, aligner, workspace);
-    workspace.quads.take(problem.image, level_of(std::min(problem.points.levels, problem.image.size())));
+    workspace.quads.copy_level(problem.image, level_of(std::min(problem.points.levels, problem.image.size())));
     find_shifts(problem, depth, sigma, kThorough, aligner, workspace);
   }
 
@@ -63,10 +63,10 @@ struct CameraSearch {
     const AlignProblem<Camera> part = part_of(problem, effort.points, workspace);
     for (auto& place : tried) place.first = aligner.tukey_cost(part, place.second, level, sigma);
     keep_cheapest(tried, effort.places);
-    keep_comparable(tried, kHopeless);
+    keep_comparable(tried, kMostCostRatio);
     for (int round = 0; round < effort.rounds; ++round) {
       for (auto& place : tried) improve(part, depth, sigma, aligner, place);
-      keep_comparable(tried, kHopeless);
+      keep_comparable(tried, kMostCostRatio);
     }
     workspace.starts.clear();
     for (const auto& place : tried) workspace.starts.push_back(place.second);
@@ -122,7 +122,7 @@ struct CameraSearch {
   static constexpr std::size_t kMore = 4;       ///< shifts that all points compare, in addition to those that are kept
   static constexpr std::size_t kFollowed = 10;  ///< minima of a part of the points that are refined with all
   static constexpr double kSamePixels = 1;      ///< up to which two of these are the same
-  static constexpr double kHopeless = 2;        ///< largest cost of a place over that of the best one, after each round
+  static constexpr double kMostCostRatio = 2;   ///< largest cost of a place over that of the best one, after each round
 
   /// Adds shifts along each axis that fit better than their neighbours. Sideways they go up to half the depth, where
   /// little of the image is still in common. Along the optical axis far points stay visible, so they go twice as far.

@@ -29,7 +29,7 @@ struct TurnSearch {
     const int level = std::min(before.size(), image.size()) - 1, finer = std::max(0, level - 1);
     take_distant(before, level, finer, camera, workspace.distant);
     AlignProblem<Camera> distant{workspace.distant, image, camera};
-    workspace.quads.take(image, level);
+    workspace.quads.copy_level(image, level);
     distant.quads = &workspace.quads;
     const auto cost = [&](const SE3d& T, int l) { return -aligner.correlation(distant, T, l, kInCommon); };
 

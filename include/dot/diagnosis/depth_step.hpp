@@ -32,7 +32,7 @@ class DepthStep {
     if (image.width() < 2 * (kMargin + 1)) return;
     newest_ = (newest_ + 1) % kFrames;
     Frame& now = frames_[newest_];
-    take(image, inverse_depth, least_jump, now);
+    keep_rows(image, inverse_depth, least_jump, now);
     count_ = std::min(count_ + 1, kFrames);
     for (auto& of_lag : sums_)
       for (Sum& sum : of_lag) sum.fade();
@@ -108,7 +108,7 @@ class DepthStep {
       for (auto& ends : frame.ends) ends.reserve(kMostEdges);
   }
 
-  void take(const Image<std::uint8_t>& image, const Image<float>& inverse_depth, float least_jump, Frame& out) {
+  void keep_rows(const Image<std::uint8_t>& image, const Image<float>& inverse_depth, float least_jump, Frame& out) {
     out.rows.clear();
     out.ends[0].clear(), out.ends[1].clear();
     pixels_ = measured_ = 0;

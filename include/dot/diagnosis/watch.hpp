@@ -29,8 +29,8 @@ class Watch {
   /// seconds. @param too_few_points for the next frame's camera motion. @param shares of the image that are of no use.
   /// @param row_turn of the last row against the first, radians; 0 if that may be chance.
   template <typename Noise>
-  Diagnosis look(const FrameData& frame, const Noise& noise, double seconds, double max_gap, bool too_few_points,
-                 const UnusedShares& shares = {}, double row_turn = 0) {
+  Diagnosis update(const FrameData& frame, const Noise& noise, double seconds, double max_gap, bool too_few_points,
+                   const UnusedShares& shares = {}, double row_turn = 0) {
     const std::size_t level = frame.pyramid.size() > 1 ? 1 : 0;
     const bool first = !(seconds > 0);
     if (first || seconds > max_gap) step_.clear();

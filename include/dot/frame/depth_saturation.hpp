@@ -17,9 +17,9 @@ DOT_BEGIN_NAMESPACE
 /// it takes to see the camera move. After that a plateau is left out only if it has stayed through a motion.
 class DepthSaturation {
  public:
-  /// Looks at the next frame. @param max_depth metres; farther depth counts as not measured.
+  /// Takes the next frame into account. @param max_depth metres; farther depth counts as not measured.
   /// @return metres; depth from there on is not measured: the plateau's, or infinite.
-  double look(const ImageRef& depth, double max_depth) {
+  double update(const ImageRef& depth, double max_depth) {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     const DepthPlateau plateau = find_plateau(depth, max_depth, depth_);
     share_ = 0;

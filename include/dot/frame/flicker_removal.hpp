@@ -29,7 +29,7 @@ class FlickerRemoval {
  public:
   /// Compares the next image with the one before. @param follows whether there is one.
   /// @return whether the image must be corrected.
-  bool look(const Pyramid& image, bool follows) {
+  bool compare(const Pyramid& image, bool follows) {
     std::swap(cells_, last_);
     const bool can_compare = follows && measured_;
     if (!follows) forget();

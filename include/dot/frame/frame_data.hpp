@@ -30,6 +30,9 @@ struct FrameData {
   const Image<float>& inverse_depth() const { return depth.levels[0]; }
 };
 
+/// Seconds by which two times that should be equal may differ, by rounding.
+inline constexpr double kClockError = 1e-6;
+
 /// A frame lent by the FrameStore; it keeps the frame from being recycled.
 using FramePtr = std::shared_ptr<const FrameData>;
 

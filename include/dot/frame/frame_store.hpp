@@ -58,7 +58,7 @@ class FrameStore {
     if (border_.fill(frame.pyramid.levels[0], frame.depth.levels[0], previous != nullptr))
       build_levels(
           width, height, levels, [](int, std::uint8_t*) {}, kernels.halve, frame.pyramid.levels);
-    const bool repeated = repeated_.look(frame.pyramid, previous ? &previous->pyramid : nullptr);
+    const bool repeated = repeated_.repeats(frame.pyramid, previous ? &previous->pyramid : nullptr);
     frame.repeats = repeated ? previous->repeats + 1 : 0;
     if (frame.repeats > FrameData::kLongestRun) repeated_.forget();
     return newest();
@@ -78,7 +78,7 @@ class FrameStore {
   /// Builds the pyramid of the image without the bands of flickering light. @param follows the frame before.
   void build_image(const ImageRef& image, int levels, const kernel::Kernels& kernels, bool follows, Pyramid& out) {
     out.build(image.width, image.height, GreyRows(image, grey_rows_), levels, kernels);
-    if (!flicker_.look(out, follows)) return;
+    if (!flicker_.compare(out, follows)) return;
     const auto correct = [&](int y, std::uint8_t* row) { flicker_.correct(y, image.height, row, image.width); };
     build_levels(image.width, image.height, levels, correct, kernels.halve, out.levels);
   }

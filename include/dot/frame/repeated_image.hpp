@@ -27,7 +27,7 @@ DOT_BEGIN_NAMESPACE
 class RepeatedImage {
  public:
   /// Whether an image repeats the one before. @param before null: that is not known.
-  bool look(const Pyramid& now, const Pyramid* before) {
+  bool repeats(const Pyramid& now, const Pyramid* before) {
     if (!before || now.size() != before->size() || now.width() != before->width() || now.height() != before->height()) {
       usual_ = 0;
       return false;

@@ -18,7 +18,7 @@ struct Quads {
   int level = -1;                             ///< of the pyramid
 
   /// Copies a level. Beyond the border, the pixels at the border are repeated. @pre The pyramid has that level.
-  void take(const Pyramid& image, int from) {
+  void copy_level(const Pyramid& image, int from) {
     const Image<std::uint8_t>& grey = image.levels[static_cast<std::size_t>(from)];
     const int width = grey.width(), height = grey.height();
     pixels.resize(width, height);

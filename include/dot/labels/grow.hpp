@@ -35,16 +35,16 @@ inline int find_rim(const Image<std::uint32_t>& ids, std::uint32_t id, int y, in
   const std::uint32_t *above = ids.row(std::max(y - 1, 0)), *below = ids.row(std::min(y + 1, ids.height() - 1));
   std::uint8_t* __restrict out = rim.data();
   int count = 0;
-  const auto look = [=, &count](int x, int before, int after) {
+  const auto mark = [=, &count](int x, int before, int after) {
     const bool is_own = row[x] == id;
     const bool is_beside = (row[before] == 0) | (row[after] == 0) | (above[x] == 0) | (below[x] == 0);
     out[x - x0] = is_own & is_beside;
     count += is_own;
   };
   const int begin = std::max(x0, 1), end = std::min(x1, ids.width() - 1);
-  if (x0 < begin) look(0, 0, std::min(1, ids.width() - 1));
-  for (int x = begin; x < end; ++x) look(x, x - 1, x + 1);
-  if (end < x1 && end >= begin) look(end, end - 1, end);
+  if (x0 < begin) mark(0, 0, std::min(1, ids.width() - 1));
+  for (int x = begin; x < end; ++x) mark(x, x - 1, x + 1);
+  if (end < x1 && end >= begin) mark(end, end - 1, end);
   return count;
 }
 

@@ -50,7 +50,6 @@ class AwaitedFrames {
 
   /// Adds the newest frame. Drops frames older than `seconds`, and the oldest ones if there are more than `most`.
   void add(const FramePtr& frame, const CameraStep& step, double seconds, int most) {
-    constexpr double kClockError = 1e-6;  // seconds
     const auto count = static_cast<std::size_t>(most);
     frames_.reserve(count);
     std::size_t drop = 0;

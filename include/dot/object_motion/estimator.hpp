@@ -70,7 +70,7 @@ struct ObjectMotionEstimator {
   static constexpr std::size_t kFewStarts = 2;  ///< so many starts are all aligned
   /// Cost of a start over the least one on the coarsest level, up to which it is aligned. An inlier costs about .45, an
   /// outlier 3.7. So starts are left out only if most points fit the best one, and hardly any fits them.
-  static constexpr double kHopeless = 4;
+  static constexpr double kMostCostRatio = 4;
 
   /// Aligns from the first `count` starts, level `top` first, and returns the best minimum that passes the checks.
   template <typename Camera, typename Noise, typename Aligner>
@@ -96,7 +96,7 @@ struct ObjectMotionEstimator {
       const double sigma = aligner.intensity_sigma(problem, tried.front().second, top);
       double least = std::numeric_limits<double>::infinity();
       for (auto& [cost, start] : tried) least = std::min(least, cost = aligner.tukey_cost(problem, start, top, sigma));
-      highest = std::max(kNegligibleCost, kHopeless * least);
+      highest = std::max(kNegligibleCost, kMostCostRatio * least);
     }
     for (const auto& [cost, start] : tried) {
       if (cost > highest) continue;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "dot/containers/recycling_list.hpp"
+#include "dot/frame/frame_data.hpp"
 #include "dot/motion/place.hpp"
 #include "dot/object_motion/fit.hpp"
 #include "dot/object_motion/object_path.hpp"
@@ -52,7 +53,6 @@ struct ObjectMotion {
 
   /// Drops the references that are older than so many seconds.
   void drop_older_references(double timestamp, double seconds) {
-    constexpr double kClockError = 1e-6;
     while (!references.empty() && timestamp - references.back().timestamp > seconds + kClockError)
       references.pop_back();
   }

@@ -13,6 +13,7 @@
 #include "dot/object_motion/expected_depth.hpp"
 #include "dot/object_motion/last_interval.hpp"
 #include "dot/object_motion/object_motion.hpp"
+#include "dot/object_motion/problem.hpp"
 #include "dot/object_motion/workspace.hpp"
 #include "dot/points/select_object.hpp"
 
@@ -79,7 +80,6 @@ struct ObjectTracker {
   static constexpr int kOlder = 3;                    ///< older references that may be more precise
   static constexpr int kOlderTop = 1;                 ///< coarsest level of their fits
   static constexpr std::ptrdiff_t kNearestMasks = 3;  ///< tried masks without a track; each costs an alignment
-  static constexpr double kNearest = 0.05;            ///< metres before the camera
   static constexpr double kSamePixels = 0.5, kSameDepth = 0.01;  ///< closer starts are the same; share of depth
   static constexpr double kLeastSize = 0.3, kMostSize = 3.3;     ///< ratio of a mask's area to the reference's
 

@@ -29,12 +29,14 @@ DOT_INLINE Matrix6<double> prior_information(const MotionPriorSettings& prior, d
 /// the information of the prior. A tenth of the prior is left in, so that K is bounded. @param S photometric part.
 DOT_INLINE Matrix3<double> without_prior(const Matrix3<double>& S, const MotionPriorSettings& prior, double dt);
 
+/// Metres before the camera; a nearer centroid is implausible.
+inline constexpr double kNearestCentroid = 0.05;
+
 /// The alignment of an object's reference to a frame: T_o with the camera's motion fixed (paper, section 3.3, eq. 4-5).
 template <typename Camera, typename Noise>
 AlignProblem<Camera> object_problem(const ReferencePair& pair, const ObjectScene<Camera>& scene,
                                     const MotionPriorSettings& prior, const Noise& noise) {
   constexpr double kUnseenCost = 1;      // of a point that is not seen: an inlier costs about 0.45, an outlier 3.7
-  constexpr double kNearest = 0.05;      // metres
   constexpr double kAgreeingSigmas = 3;  // largest difference of agreeing depths
   const ObjectReference& reference = pair.reference;
   AlignProblem<Camera> problem{reference.points, scene.image, scene.camera};
@@ -46,7 +48,7 @@ AlignProblem<Camera> object_problem(const ReferencePair& pair, const ObjectScene
   problem.gain_information = 1 / (prior.gain * prior.gain);
   problem.offset_information = 1 / (prior.offset * prior.offset);
   problem.unseen_cost = kUnseenCost;
-  const double q = 1 / std::max(kNearest, reference.centroid.z());
+  const double q = 1 / std::max(kNearestCentroid, reference.centroid.z());
   const double pixel = noise.pixel_sigma(q), change = noise.shared_drift_sigma(q);
   problem.depth.inverse_depth = scene.depth.levels[0].view();
   problem.depth_pyramid = &scene.depth;

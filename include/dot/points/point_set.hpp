@@ -66,7 +66,7 @@ struct PointSet {
 
   /// Replaces the points by every `step`-th of the given ones.
   void take_every(int step, const PointSet& all) {
-    take(all, [step](const std::vector<float>& from, std::vector<float>& to) {
+    fill(all, [step](const std::vector<float>& from, std::vector<float>& to) {
       const auto each = static_cast<std::size_t>(step);
       to.resize((from.size() + each - 1) / each);
       for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i * each];
@@ -77,7 +77,7 @@ struct PointSet {
   void append_every(int step, const PointSet& others) {
     const int shared = size() > 0 ? std::min(levels, others.levels) : others.levels;
     const DepthBias own = size() > 0 ? bias : others.bias;
-    take(others, [step](const std::vector<float>& from, std::vector<float>& to) {
+    fill(others, [step](const std::vector<float>& from, std::vector<float>& to) {
       for (std::size_t i = 0; i < from.size(); i += static_cast<std::size_t>(step)) to.push_back(from[i]);
     });
     levels = shared, bias = own;
@@ -86,7 +86,7 @@ struct PointSet {
   /// Replaces them by those of others for which condition(index) holds.
   template <typename Condition>
   void take_if(const PointSet& all, Condition&& condition) {
-    take(all, [&](const std::vector<float>& from, std::vector<float>& to) {
+    fill(all, [&](const std::vector<float>& from, std::vector<float>& to) {
       to.clear();
       for (std::size_t i = 0; i < from.size(); ++i)
         if (condition(i)) to.push_back(from[i]);
@@ -96,7 +96,7 @@ struct PointSet {
  private:
   /// Fills each field by field(from, to).
   template <typename Field>
-  void take(const PointSet& all, Field&& take_field) {
+  void fill(const PointSet& all, Field&& take_field) {
     for (const auto field : {&PointSet::u, &PointSet::v, &PointSet::x, &PointSet::y, &PointSet::q, &PointSet::sigma_q})
       take_field(all.*field, this->*field);
     for (const auto field : {&PointSet::intensity, &PointSet::gu, &PointSet::gv})

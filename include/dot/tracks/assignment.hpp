@@ -51,7 +51,8 @@ class Assignment {
       }
     }
     constexpr double any_cost = std::numeric_limits<double>::infinity();
-    take(tracks, assign(static_cast<int>(open_.size()), static_cast<int>(tracks.size()), any_cost, workspace_));
+    assign_partners(tracks,
+                    assign(static_cast<int>(open_.size()), static_cast<int>(tracks.size()), any_cost, workspace_));
   }
 
  private:
@@ -66,10 +67,10 @@ class Assignment {
       if (!o.assigned && o.discovered == discovered)
         open_.push_back(&o), observed_.push_back({&o.mask, o.inverse_depth()});
     if (open_.empty() || predicted_.empty()) return;
-    take(tracks, associate(predicted_, observed_, settings, workspace_));
+    assign_partners(tracks, associate(predicted_, observed_, settings, workspace_));
   }
 
-  void take(const std::vector<Track*>& tracks, const std::vector<int>& partner) {
+  void assign_partners(const std::vector<Track*>& tracks, const std::vector<int>& partner) {
     for (std::size_t i = 0; i < open_.size(); ++i)
       if (partner[i] >= 0) tracks[static_cast<std::size_t>(partner[i])]->assign(*open_[i]);
   }

@@ -82,8 +82,8 @@ struct TrackedOutline {
   /// @param T_frame_old motion of the object's points from the old shape to the mask's frame. @param frame the mask's.
   /// @param far 1/m, assumed where no depth was ever measured.
   template <typename Camera>
-  void take(const Mask& observed, const SE3d& T_frame_old, const FramePtr& frame, double far, const Camera& camera,
-            const MaskSettings& settings, OutlineWorkspace& workspace) {
+  void set_shape(const Mask& observed, const SE3d& T_frame_old, const FramePtr& frame, double far, const Camera& camera,
+                 const MaskSettings& settings, OutlineWorkspace& workspace) {
     remember_hidden_part(observed, T_frame_old, frame->depth, camera, settings, workspace);
     const double q = shape.median > 0 ? shape.median : far;
     contradicted = false;

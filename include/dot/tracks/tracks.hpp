@@ -18,7 +18,7 @@
 DOT_BEGIN_NAMESPACE
 
 /// All objects: their identities from frame to frame, and the steps of each. A frame calls, in this order, `prepare`,
-/// `drop_lost`, `predict`, `assign`, `follow`, `place` and, after its labels are made, `remember`.
+/// `drop_lost`, `predict`, `assign`, `follow`, `update_masks` and, after its labels are made, `remember`.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 class Tracks {
  public:
@@ -43,7 +43,7 @@ class Tracks {
   /// Creates one worker per thread, each with a copy of the aligner.
   void prepare(const Aligner& aligner, const Threads& threads);
 
-  /// All tracks, by id; valid until the next call of this, `assign`, `place` or `far_to_near`.
+  /// All tracks, by id; valid until the next call of this, `assign`, `update_masks` or `far_to_near`.
   const List& all() {
     return that([](const Track&) { return true; });
   }
@@ -72,8 +72,8 @@ class Tracks {
   /// observation that no track explains, now that the motions are known, becomes a new track.
   /// @param frame the current one. @param segmented there are masks of a network for it.
   /// @return how many of these were too small to start a track.
-  int place(const Interval& interval, const FramePtr& frame, bool segmented, Observations& observations,
-            const Discovery<Camera, Noise>& discovery, const Setup& setup);
+  int update_masks(const Interval& interval, const FramePtr& frame, bool segmented, Observations& observations,
+                   const Discovery<Camera, Noise>& discovery, const Setup& setup);
 
   /// Adds the current frame to a track's references.
   void remember(Track& track, const FrameData& cur, const Setup& setup, Worker& worker) const;
@@ -127,8 +127,8 @@ class Tracks {
               const Setup& setup) const;
   void examine(Track& t, double seconds, const Discovery<Camera, Noise>& discovery, const Setup& setup,
                Worker& worker) const;
-  void place(Track& t, const Interval& interval, const FramePtr& frame, bool segmented,
-             const Discovery<Camera, Noise>& discovery, const Setup& setup, Worker& worker) const;
+  void update_mask(Track& t, const Interval& interval, const FramePtr& frame, bool segmented,
+                   const Discovery<Camera, Noise>& discovery, const Setup& setup, Worker& worker) const;
   void align_backwards(Track& t, const Interval& interval, const Setup& setup, Worker& worker) const;
   void paint_nearer(std::size_t object, int width, int height, Worker& worker) const;
   static bool may_touch(const Track& a, const Track& b);
@@ -150,4 +150,4 @@ class Tracks {
 DOT_END_NAMESPACE
 
 #include "dot/tracks/impl/follow.hpp"
-#include "dot/tracks/impl/place.hpp"
+#include "dot/tracks/impl/update_masks.hpp"

@@ -163,7 +163,7 @@ bool CameraTracker<Camera, Noise, Aligner>::estimate(const FramePtr& prev, const
   step.status = ok ? CameraStatus::Tracked : CameraStatus::Lost;
   if (!ok) return true;
   if (!cur.is_repeated()) correlation_.add(step.alignment.phi);
-  estimator.take(AlignProblem<Camera>{background_.points, cur.pyramid, camera}, T_prev_points, aligner, step);
+  estimator.set_motion(AlignProblem<Camera>{background_.points, cur.pyramid, camera}, T_prev_points, aligner, step);
   return searched;
 }
 
@@ -210,7 +210,7 @@ void CameraTracker<Camera, Noise, Aligner>::find_fixed_parts(const FrameData& cu
                                                              const Image<std::uint32_t>& ids, const Camera& camera,
                                                              const kernel::Kernels& kernels, const Threads& threads) {
   mask_.set(labels);
-  held_ = fixed_parts_.look(cur, mask_.pixels, ids, step, camera, kernels, threads);
+  held_ = fixed_parts_.update(cur, mask_.pixels, ids, step, camera, kernels, threads);
   fixed_parts_.exclude(mask_.pixels);
 }
 

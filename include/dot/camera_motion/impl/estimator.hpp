@@ -106,7 +106,7 @@ struct CameraMotionEstimator::Estimation {
       for (const Alignment& a : minima().found) lowest = std::min(lowest, cost_of(a));
     const AlignProblem<Camera> scanned = search ? CameraSearch::part_of(few, CameraSearch::kScanned, workspace) : few;
     for (std::size_t i = 0; i < unshifted; ++i) {
-      if (!search && cost_of(minima().found[i]) > kHopeless * lowest) continue;
+      if (!search && cost_of(minima().found[i]) > kMostCostRatio * lowest) continue;
       estimator.shifted(scanned, minima().found[i], fine, sigma, depth, aligner, workspace);
       for (const AlignState& start : workspace.starts) add_near(start);
     }

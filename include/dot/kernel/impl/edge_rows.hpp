@@ -43,7 +43,7 @@ template <typename V>
 void sum_row(const unsigned char* above, const unsigned char* here, const unsigned char* below, int n, short fade,
              short edge, short* __restrict x_sums, short* __restrict y_sums, short* __restrict lengths,
              unsigned short* __restrict part, unsigned short* __restrict all, unsigned char* __restrict stays) {
-  constexpr short kHopeless = 3000;  // ten times as much is beyond any length, and fits
+  constexpr short kMostLost = 3000;  // ten times as much is beyond any length, and fits
   const auto faded = [fade](short a) { return static_cast<short>(a - static_cast<short>((a * fade) >> 16)); };
   for (int i = 0; i < n; ++i) {
     const auto gx = static_cast<short>(kEdgeUnit * difference<V>(here[i + 1], here[i - 1]));
@@ -57,7 +57,7 @@ void sum_row(const unsigned char* above, const unsigned char* here, const unsign
     all[i] = static_cast<unsigned short>(all[i] + (length & is_edge));
     // sum > .9 length
     const auto lost = static_cast<short>(length - sum);
-    const auto tenfold = static_cast<short>(10 * (lost < kHopeless ? lost : kHopeless));
+    const auto tenfold = static_cast<short>(10 * (lost < kMostLost ? lost : kMostLost));
     const auto remains = static_cast<short>(tenfold < length ? 1 : 0);
     stays[i] = static_cast<unsigned char>(remains & is_edge);
   }

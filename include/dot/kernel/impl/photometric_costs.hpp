@@ -14,7 +14,7 @@ template <typename V>
 struct Kept {
   double intensity = 0, depth = 0;
 
-  void take(Tally<V>& tally) {
+  void move_from(Tally<V>& tally) {
     intensity += static_cast<double>(V::sum(tally.kept));
     depth += static_cast<double>(V::sum(tally.depth_kept));
     tally.kept = tally.depth_kept = V::set(0);
@@ -29,13 +29,13 @@ void tally_all(const Input& in, Tally<V>& tally, Kept<V>& kept) {
     const int count = whole - start < kChunk ? whole - start : kChunk;
     evaluate<V, kGradient, kWanted, kDepth, kQuads>(in, advanced<V>(in.points, start), count, nullptr, nullptr, 0,
                                                     tally);
-    kept.take(tally);
+    kept.move_from(tally);
   }
   if (whole == n) return;
   Tail<V> tail;
   const Points last = tail.fill(in.points, whole, n - whole);
   evaluate<V, kGradient, kWanted, kDepth, kQuads>(in, last, V::W, nullptr, nullptr, 0, tally);
-  kept.take(tally);
+  kept.move_from(tally);
 }
 
 template <typename V, Wanted kWanted, bool kDepth>

@@ -25,7 +25,7 @@ class PlaneFitter {
 
   /// The planes about `count` seeds, at most W.
   void operator()(const PlaneSeed* seeds, int count, Plane* planes) {
-    place(seeds, count);
+    set_windows(seeds, count);
     for (int pass = 0; pass < 3; ++pass) {
       if (pass == 1)
         for (int lane = 0; lane < W; ++lane) gate_[lane] = seeds[lane < count ? lane : count - 1].gate;
@@ -61,7 +61,7 @@ class PlaneFitter {
   enum { kN, kX, kY, kXX, kXY, kYY, kR, kXR, kYR, kRR, kSums };
 
   /// Sets the windows of the seeds, ends included. Lanes without a seed get the window of the last seed.
-  void place(const PlaneSeed* seeds, int count) {
+  void set_windows(const PlaneSeed* seeds, int count) {
     for (int lane = 0; lane < W; ++lane) {
       const PlaneSeed& seed = seeds[lane < count ? lane : count - 1];
       const int r = window_.radius;

@@ -84,8 +84,8 @@ void LateMasks<Camera, Classifier, Noise, Aligner>::apply_late_mask(Track& t, co
     return;
   }
   const Vector3<double>& centre = t.observed->centre;
-  outline.take(t.observed->mask, outline.T_frame_shape, then.frame, 1 / setup.selection.max_depth, setup.camera,
-               setup.mask, worker.outline);
+  outline.set_shape(t.observed->mask, outline.T_frame_shape, then.frame, 1 / setup.selection.max_depth, setup.camera,
+                    setup.mask, worker.outline);
   outline.T_now_shape = T;
   outline.is_newest = then.since_known;
   outline.last_seen = std::max(outline.last_seen, then.timestamp());
@@ -144,8 +144,8 @@ void LateMasks<Camera, Classifier, Noise, Aligner>::replay(const std::vector<Tra
     for (Track* t : started) {
       TrackedOutline& outline = t->outline;
       if (first) {
-        outline.take(t->observed->mask, {}, f.frame, 1 / setup.selection.max_depth, setup.camera, setup.mask,
-                     worker.outline);
+        outline.set_shape(t->observed->mask, {}, f.frame, 1 / setup.selection.max_depth, setup.camera, setup.mask,
+                          worker.outline);
         outline.is_newest = true;
       } else {
         outline.mask = outline.warped.mask;

@@ -172,7 +172,7 @@ void ObjectTracker<Camera, Noise, Aligner>::set_starts(const Following& f, const
   const double focal = camera.intrinsics().fx;
   const auto add = [&](const SE3d& T_o) {
     const Vector3<double> moved = T_o * r.centroid;
-    if (moved.z() < kNearest) return;
+    if (moved.z() < kNearestCentroid) return;
     for (const SE3d& other : out) {
       const Vector3<double> d = moved - other * r.centroid;
       if (focal * d.template head<2>().norm() < kSamePixels * moved.z() && std::abs(d.z()) < kSameDepth * moved.z())

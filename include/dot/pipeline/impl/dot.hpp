@@ -77,7 +77,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   previous_ = std::move(current_);
   current_ = frames_.add(frame, camera_tracker_.depth_bias(), depth_noise,
                          {std::min(options_.align.max_levels, PointSet::kMaxLevels), options_.selection.max_depth,
-                          saturation_.look(frame.depth, options_.selection.max_depth)},
+                          saturation_.update(frame.depth, options_.selection.max_depth)},
                          kernels(), threads, seconds > 0 ? previous_.get() : nullptr);
   const FrameData& cur = *current_;
   ends(Stage::Image);
@@ -113,7 +113,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   ends(Stage::Objects);
 
   // Masks warped by T_c T_o; new objects; labels.
-  result_.small_instances = tracks_.place(interval, current_, segmented, observations_, discovery_, setup());
+  result_.small_instances = tracks_.update_masks(interval, current_, segmented, observations_, discovery_, setup());
   labeller_.label(tracks_.far_to_near(), current_, camera_step, segmented, camera_, depth_noise, options_.mask);
   write_result(frame, camera_step);
   unprepared_ = {camera_step, segmented};
@@ -139,8 +139,8 @@ void Dot<Camera, Classifier, Noise, Aligner>::prepare_next(const CameraStep& cam
   shares.masked = result_.too_little_depth ? labeller_.labels().share() : 0;
   shares.saturated = saturation_.share();
   shares.fixed = camera_tracker_.fixed_share();
-  result_.diagnosis = watch_.look(*current_, depth_noise, step, options_.max_gap, result_.too_little_depth, shares,
-                                  camera_step.rolling.turn.norm());
+  result_.diagnosis = watch_.update(*current_, depth_noise, step, options_.max_gap, result_.too_little_depth, shares,
+                                    camera_step.rolling.turn.norm());
   late_masks_.await(current_, camera_step, segmented, options_.mask, tracks_.all());
   result_.stage_ms[static_cast<std::size_t>(Stage::Points)] = stopwatch_.lap();
 }

@@ -11,23 +11,24 @@
 DOT_BEGIN_NAMESPACE
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-int Tracks<Camera, Classifier, Noise, Aligner>::place(const Interval& interval, const FramePtr& frame, bool segmented,
-                                                      Observations& observations,
-                                                      const Discovery<Camera, Noise>& discovery, const Setup& setup) {
+int Tracks<Camera, Classifier, Noise, Aligner>::update_masks(const Interval& interval, const FramePtr& frame,
+                                                             bool segmented, Observations& observations,
+                                                             const Discovery<Camera, Noise>& discovery,
+                                                             const Setup& setup) {
   assignment_.by_overlap(that([](const Track& t) { return !t.observed; }), observations, setup.mask);
   find_again(observations, setup.mask);
   const int too_small = start(observations, setup);
   setup.threads.run(static_cast<int>(tracks_.size()), [&](int worker, int i) {
-    place(tracks_[static_cast<std::size_t>(i)], interval, frame, segmented, discovery, setup,
-          workers_[static_cast<std::size_t>(worker)]);
+    update_mask(tracks_[static_cast<std::size_t>(i)], interval, frame, segmented, discovery, setup,
+                workers_[static_cast<std::size_t>(worker)]);
   });
   return too_small;
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Tracks<Camera, Classifier, Noise, Aligner>::place(Track& t, const Interval& interval, const FramePtr& frame,
-                                                       bool segmented, const Discovery<Camera, Noise>& discovery,
-                                                       const Setup& setup, Worker& worker) const {
+void Tracks<Camera, Classifier, Noise, Aligner>::update_mask(Track& t, const Interval& interval, const FramePtr& frame,
+                                                             bool segmented, const Discovery<Camera, Noise>& discovery,
+                                                             const Setup& setup, Worker& worker) const {
   const FrameData& cur = interval.cur;
   TrackedOutline& outline = t.outline;
   Reason& reason = t.motion.step.fit.reason;
@@ -35,8 +36,8 @@ void Tracks<Camera, Classifier, Noise, Aligner>::place(Track& t, const Interval&
   if (t.observed) {
     if (t.segmented && t.followed && !t.motion.step.fit.ok()) align_backwards(t, interval, setup, worker);
     outline.mask = t.observed->mask;
-    outline.take(t.observed->mask, outline.T_now_shape, frame, 1 / setup.selection.max_depth, setup.camera, setup.mask,
-                 worker.outline);
+    outline.set_shape(t.observed->mask, outline.T_now_shape, frame, 1 / setup.selection.max_depth, setup.camera,
+                      setup.mask, worker.outline);
     outline.T_now_shape = {};
     outline.is_newest = outline.visible = true;
   } else {

@@ -11,6 +11,7 @@
 #include "dot/frame/frame.hpp"
 #include "dot/frame/validate.hpp"
 #include "dot/mask/centre.hpp"
+#include "dot/mask/id_runs.hpp"
 #include "dot/mask/mask.hpp"
 #include "dot/mask/shared_pixels.hpp"
 

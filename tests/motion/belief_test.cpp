@@ -41,13 +41,16 @@ double sq(double x) { return x * x; }
 /// Log odds that one fit brings to a new belief.
 double evidence(const MotionEstimate& e) {
   Belief belief;
+  const double before = belief.log_odds;
   belief.update(e, settings.v0, settings);
-  return belief.log_odds;
+  return belief.log_odds - before;
 }
 
 TEST(Belief, BeginsUndecided) {
   const Belief belief;
-  EXPECT_EQ(belief.p_moving(), 0.5);
+  EXPECT_NEAR(belief.p_moving(), Belief::kPrior, 1e-12);
+  EXPECT_LT(belief.p_moving(), settings.keep);
+  EXPECT_GT(belief.p_moving(), 1 - settings.keep);
   EXPECT_FALSE(belief.has_velocity());
 }
 
@@ -119,8 +122,9 @@ TEST(Belief, ForgetsWithTimeAtAnyFrameRate) {
     for (int i = 0; i < 50; ++i) {
       coarse.predict(0.2, I, settings);
       for (int k = 0; k < 6; ++k) fine.predict(0.2 / 6, I, settings);
-      EXPECT_LT(std::abs(coarse.p_moving() - 0.5), std::abs(p - 0.5));  // towards not knowing, never past it
-      EXPECT_GT((coarse.p_moving() - 0.5) * start, 0);
+      // Towards not knowing, never past it.
+      EXPECT_LT(std::abs(coarse.p_moving() - Belief::kPrior), std::abs(p - Belief::kPrior));
+      EXPECT_GT((coarse.p_moving() - Belief::kPrior) * start, 0);
       EXPECT_NEAR(coarse.p_moving(), fine.p_moving(), 5e-3);
       p = coarse.p_moving();
     }
@@ -251,16 +255,17 @@ TEST(Belief, GrowsUncertainByTimeAtAnyFrameRate) {
   const auto grown = [](double rate) {
     Belief belief;
     belief.update(fit({3, 0, 0}, 0.2), 0.5, settings);
+    const double before = belief.covariance(0, 0);
     for (int i = 0; i < std::lround(rate); ++i) belief.predict(1 / rate, I, settings);
-    return belief.covariance(0, 0);
+    return belief.covariance(0, 0) - before;
   };
-  const double at_10 = grown(10);
-  EXPECT_GT(at_10, 0.5);
-  for (const double rate : {5.0, 30.0, 60.0}) EXPECT_NEAR(grown(rate), at_10, 1e-9) << rate;
+  const double range = fit({3, 0, 0}, 0.2).range;
+  for (const double rate : {5.0, 10.0, 30.0, 60.0})
+    EXPECT_NEAR(grown(rate), sq(settings.usual_acceleration_at(range)) * Belief::kAccelerationSeconds, 1e-9) << rate;
 }
 
 TEST(Belief, TheSameSecondsGiveTheSameBeliefAtAnyFrameRate) {
-  for (const double speed : {0.0, 0.3, 1.5, 3.0})
+  for (const double speed : {0.0, 0.2, 1.5, 3.0})
     for (const double sigma : {0.1, 0.4}) {
       const AfterTwoSeconds at_10 = after_two_seconds(10, {speed, 0, 0}, sigma);
       for (const double rate : {5.0, 30.0, 60.0}) {
@@ -272,6 +277,43 @@ TEST(Belief, TheSameSecondsGiveTheSameBeliefAtAnyFrameRate) {
         EXPECT_NEAR(at.variance / at_10.variance, expected, 0.1) << rate;
       }
     }
+}
+
+/// P(moves) after fits over 0.4 s at 10 Hz, each with an error of its own.
+/// @param velocity true, m/s. @param sigma of the fits, m/s.
+double p_after(double seconds, const Vector3<double>& velocity, const Vector3<double>& sigma, unsigned seed) {
+  Random random(seed);
+  Belief belief;
+  for (int i = 0; i < 10 * seconds; ++i) {
+    MotionEstimate e = fit(velocity + random.normal3(1).cwiseProduct(sigma), 0, 0.4, 4);
+    e.covariance = sigma.cwiseAbs2().asDiagonal();
+    belief.update(e, settings.v0_at(e.range), settings);
+    belief.predict(0.1, I, settings);
+  }
+  return belief.p_moving();
+}
+
+// Somebody who walks towards the camera: sideways still, and the speed along the ray is hardly known from one fit. A
+// parked car, measured as badly, stands.
+TEST(Belief, WhatComesSlowlyAlongTheRayIsToldInAFewSeconds) {
+  const Vector3<double> sigma(0.2, 0.2, 0.8);
+  int told = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    told += p_after(4, {0, 0, -1.5}, sigma, seed) > settings.decide;
+    EXPECT_LT(p_after(4, {0, 0, 0}, sigma, seed), 1 - settings.decide) << seed;
+  }
+  EXPECT_GE(told, 36);
+}
+
+// Errors of the depth last. A velocity that stays wrong by a sigma or two is no evidence that the object moves, nor is
+// one that is measured well, but is less than half of v0.
+TEST(Belief, AnErrorThatLastsIsNoEvidence) {
+  for (const double rate : {5.0, 10.0, 30.0}) {
+    for (const double sigma : {0.02, 0.05, 0.1, 0.2})
+      EXPECT_LT(after_two_seconds(rate, {0.2, 0, 0}, sigma).belief.p_moving(), 0.1) << sigma << ", " << rate << " Hz";
+    for (const double sigma : {0.4, 0.8})
+      EXPECT_LT(after_two_seconds(rate, {0, 0, sigma}, sigma).belief.p_moving(), 0.9) << sigma << ", " << rate << " Hz";
+  }
 }
 
 /// A fit of a box of a decimetre, 1.5 m away, that turns about a standing centre.

@@ -164,7 +164,7 @@ TEST(VelocityClassifier, StateOutlivesTheFitsAndFades) {
       double p = d.p_moving, lasted = 0;
       for (int i = 0; i < 120 * rate; ++i) {
         d = object.miss();
-        EXPECT_LT(std::abs(d.p_moving - 0.5), std::abs(p - 0.5));
+        EXPECT_LT(std::abs(d.p_moving - dot::Belief::kPrior), std::abs(p - dot::Belief::kPrior));
         EXPECT_TRUE(d.state == won || d.state == State::NotObservable);
         p = d.p_moving;
         if (d.state == won) lasted += object.dt();

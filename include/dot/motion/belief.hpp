@@ -17,11 +17,12 @@ DOT_BEGIN_NAMESPACE
 /// Belief over time that an object moves: the log odds of *moves* against *stands*, and a Kalman filter of the velocity
 /// under *moves*.
 ///
-///     stands: v ~ N(d, V), d ~ N(0, 0.2 V), mixed with a fresh N(0, V + (0.35 v0)^2)
+///     stands: v ~ N(d, V). Mostly d = 0. Or d is a drift, N(0, (0.35 v0)^2), which is new in each fit, or which lasts
 ///     moves:  v ~ N(m, P + V), the filter's prediction, mixed with a fresh prior of any velocity
 ///
-/// d is the part of an error that lasts, as that of the depth. What the fits before say of it is what the next one is
-/// expected to say. Without it *moves* alone would profit from a wrong velocity that stays the same.
+/// What the fits before say of a drift that lasts, the next should say again. Without it, *moves* alone would profit
+/// from a small wrong velocity that stays the same. The filter expects the usual accelerations, not the largest.
+/// Otherwise *moves* would expect so many velocities that those of a slow mover are better explained by standing.
 ///
 /// The errors of real fits have heavy tails. One fit in five is worse than its covariance, because of reflections, half
 /// hidden outlines or a slope in the depth's error. So V stands for the mixture 0.8 V + 0.2 (6 V) in both hypotheses.
@@ -49,10 +50,10 @@ struct Belief {
   /// From here on errors of two fits are independent.
   static constexpr double kIndependentSeconds = Turning::kIndependentSeconds;
   static constexpr double kAccelerationSeconds = 0.1;  ///< duration of an acceleration
-  static constexpr double kPrior = 0.4;                ///< probability that an object moves of which nothing is known
+  static constexpr double kPrior = 0.45;               ///< probability that an object moves of which nothing is known
   static constexpr double kDrift = 0.35;               ///< share of v0: velocity sigma under *stands*
-  static constexpr double kLasting = 0.2;              ///< share of V that is the same in the next fit
-  static constexpr double kFreshDrift = 0.2;           ///< share of objects that stand, but whose fits say nothing of d
+  static constexpr double kNewDrift = 0.25;            ///< share of fits under *stands* with a drift of their own
+  static constexpr double kLastingDrift = 0.2;         ///< and with one that lasts
   static constexpr double kTurnDrift = 0.1;            ///< the same of u, share of v0_per_square_metre times range^2
   static constexpr double kFreshShare = 0.1;           ///< share of a new motion beside the prediction
   static constexpr double kFastVariance = 25;          ///< of motorway speeds, over ordinary speeds
@@ -78,10 +79,10 @@ struct Belief {
   void update(const MotionEstimate& e, double v0, const VelocitySettings& s);
 
  private:
-  /// A velocity that is known with an error.
+  /// A velocity and its error.
   struct Gaussian {
-    Vector3<double> mean;
-    Matrix3<double> covariance;
+    Vector3<double> mean = Vector3<double>::Zero();        ///< m/s
+    Matrix3<double> covariance = Matrix3<double>::Zero();  ///< (m/s)^2
   };
 
   static double sq(double x) { return x * x; }
@@ -95,8 +96,8 @@ struct Belief {
   double turns_or_not(const MotionEstimate& e, double v0, const VelocitySettings& s) const;
   bool agrees(const MotionEstimate& e) const;
   void filter(const MotionEstimate& e, double speed2);
-  static double mixed(double expected, double fresh, double share) { return (1 - share) * expected + share * fresh; }
-  static Gaussian posterior(const Matrix3<double>& D, const Vector3<double>& m, const Matrix3<double>& P);
+  static double mixed(double expected, double fresh) { return (1 - kFreshShare) * expected + kFreshShare * fresh; }
+  static Gaussian posterior(const Matrix3<double>& D, const Gaussian& fits);
   static double density(const Vector3<double>& x, const Matrix3<double>& S);
   static double hypothesis(const Vector3<double>& v, const Matrix3<double>& V, const Vector3<double>& m,
                            const Matrix3<double>& S, double v0);

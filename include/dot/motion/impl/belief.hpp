@@ -70,17 +70,17 @@ DOT_INLINE double Belief::translates_or_stands(const MotionEstimate& e, double v
   const double outlier = s.outliers * density(v, V + kOutlierVariance * speed2 * I);
 
   const Vector3<double> zero = Vector3<double>::Zero();
+  const Matrix3<double> drift = sq(kDrift * v0) * I;
+  const Gaussian lasting = posterior(drift, {velocity, covariance});
   const Vector3<double> weakest = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(V).eigenvectors().col(2);
   // Both hypotheses, with the errors of the covariance and with those of a bad fit.
   double stands = 0, moves = 0;
   for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, V},
                                  std::pair<double, Matrix3<double>>{s.tail_share, s.tail_variance * V}}) {
-    // Either hypothesis allows that the fits before were wrong.
-    double still = density(v, S + sq(kDrift * v0) * I);
-    if (has_velocity()) {
-      const Gaussian lasting = posterior(kLasting * V, velocity, covariance);
-      still = mixed(density(v - lasting.mean, S + lasting.covariance), still, kFreshDrift);
-    }
+    double still = density(v, S + drift);
+    if (has_velocity())
+      still = kNewDrift * still + kLastingDrift * density(v - lasting.mean, S + lasting.covariance) +
+              (1 - kNewDrift - kLastingDrift) * density(v, S);
     stands += share * still;
     double fresh = 0;
     for (const double scale : {1.0, kFastVariance}) {
@@ -88,7 +88,7 @@ DOT_INLINE double Belief::translates_or_stands(const MotionEstimate& e, double v
       const Matrix3<double> along_weakest_axis = scale * speed2 * weakest * weakest.transpose() + sq(v0) * I;
       fresh += 0.25 * (hypothesis(v, S, zero, any, v0) + hypothesis(v, S, zero, along_weakest_axis, v0));
     }
-    moves += share * (has_velocity() ? mixed(hypothesis(v, S, velocity, covariance, v0), fresh, kFreshShare) : fresh);
+    moves += share * (has_velocity() ? mixed(hypothesis(v, S, velocity, covariance, v0), fresh) : fresh);
   }
   stands = (1 - s.outliers) * stands + outlier;
   moves = (1 - s.outliers) * moves + outlier;
@@ -109,10 +109,10 @@ DOT_INLINE double Belief::turns_or_not(const MotionEstimate& e, double v0, const
 
   const Turning::Rate* predicted = turning.before(e);
   const Vector3<double> zero = Vector3<double>::Zero();
-  Gaussian before{zero, Matrix3<double>::Zero()}, lasting = before;
+  Gaussian before, lasting;
   if (predicted) {
     before = {L * predicted->mean, L * predicted->covariance * L};
-    lasting = posterior(drift, before.mean, before.covariance);
+    lasting = posterior(drift, before);
   }
   double turns = 0, not_turns = 0;
   for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, U},
@@ -120,8 +120,8 @@ DOT_INLINE double Belief::turns_or_not(const MotionEstimate& e, double v0, const
     // Either hypothesis allows that the fits before were wrong.
     double still = density(u, S + drift), turn = hypothesis(u, S + drift, zero, prior, v0);
     if (predicted) {
-      still = mixed(density(u - lasting.mean, S + lasting.covariance), still, kFreshShare);
-      turn = mixed(hypothesis(u, S + drift, before.mean, before.covariance, v0), turn, kFreshShare);
+      still = mixed(density(u - lasting.mean, S + lasting.covariance), still);
+      turn = mixed(hypothesis(u, S + drift, before.mean, before.covariance, v0), turn);
     }
     not_turns += share * still;
     turns += share * turn;
@@ -151,11 +151,11 @@ DOT_INLINE void Belief::filter(const MotionEstimate& e, double speed2) {
   covariance = 0.5 * (covariance + covariance.transpose()).eval();
 }
 
-/// What fits that said m, wrong by N(0, P), leave of a velocity of N(0, D): N(K m, D - K D), K = D (D + P)^-1.
-DOT_INLINE Belief::Gaussian Belief::posterior(const Matrix3<double>& D, const Vector3<double>& m,
-                                              const Matrix3<double>& P) {
-  const Matrix3<double> K = Matrix3<double>((D + P).ldlt().solve(D)).transpose();  // zero without D
-  return {K * m, D - K * D};
+/// What fits leave of a velocity of N(0, D): N(K m, D - K D), K = D (D + P)^-1.
+/// @param fits their mean m, wrong by N(0, P).
+DOT_INLINE Belief::Gaussian Belief::posterior(const Matrix3<double>& D, const Gaussian& fits) {
+  const Matrix3<double> K = Matrix3<double>((D + fits.covariance).ldlt().solve(D)).transpose();  // zero without D
+  return {K * fits.mean, D - K * D};
 }
 
 DOT_INLINE double Belief::density(const Vector3<double>& x, const Matrix3<double>& S) {

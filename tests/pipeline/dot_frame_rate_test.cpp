@@ -57,8 +57,8 @@ std::map<std::uint32_t, std::vector<Said>> said_at(double rate) {
         s.speed = std::hypot(o->fused_velocity[0], o->fused_velocity[1], o->fused_velocity[2]);
         // What is reported allows for an interval of acceleration since the fit, which depends on the rate.
         const double before = o->fused_covariance[0] + o->fused_covariance[4] + o->fused_covariance[8];
-        const double change = 3 * options.velocity.acceleration * options.velocity.acceleration *
-                              dot::Belief::kAccelerationSeconds / rate;
+        const double acceleration = options.velocity.usual_acceleration_at(o->range);
+        const double change = 3 * acceleration * acceleration * dot::Belief::kAccelerationSeconds / rate;
         s.variance = std::sqrt(before * (before - change));
       }
       out[body].push_back(s);

@@ -75,7 +75,7 @@ struct VelocitySettings {
   double floor_at(double range) const { return std::min(floor, floor_per_square_metre * range * range); }
   /// Acceleration that movers mostly have at a range in metres, m/s^2. Hands, which move near things, use all of
   /// `acceleration`, traffic a third.
-  double usual_acceleration_at(double range) const { return acceleration * std::clamp(3 / range, 0.3, 1.0); }
+  double usual_acceleration_at(double range) const { return acceleration * std::clamp(5 / range, 0.3, 1.0); }
   /// `acceleration` at a range in metres, m/s^2.
   double acceleration_at(double range) const { return std::min(acceleration, acceleration_per_metre * range); }
   /// `prior_speed` at a range in metres, m/s.

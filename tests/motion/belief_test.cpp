@@ -264,6 +264,7 @@ TEST(Belief, GrowsUncertainByTimeAtAnyFrameRate) {
     EXPECT_NEAR(grown(rate), sq(settings.usual_acceleration_at(range)) * Belief::kAccelerationSeconds, 1e-9) << rate;
 }
 
+// But for velocities at which the decision changes, here some .3 m/s if they are known to .1 m/s.
 TEST(Belief, TheSameSecondsGiveTheSameBeliefAtAnyFrameRate) {
   for (const double speed : {0.0, 0.2, 1.5, 3.0})
     for (const double sigma : {0.1, 0.4}) {
@@ -421,6 +422,8 @@ TEST(Belief, NothingThatIsNotFiniteEnters) {
     bad.push_back(fit({3, 0, 0}, 0.2, value));
     bad.push_back(fit({3, 0, 0}, 0.2));
     bad.back().covariance(1, 2) = value;
+    bad.push_back(fit({3, 0, 0}, 0.2));
+    bad.back().range = value;
     for (int i = 0; i < 3; ++i) bad.push_back(turning_fit(0.6, 0.05));
     bad[bad.size() - 1].angular_velocity[1] = value;
     bad[bad.size() - 2].angular_covariance(1, 1) = value;

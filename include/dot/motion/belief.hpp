@@ -51,10 +51,10 @@ struct Belief {
   static constexpr double kIndependentSeconds = Turning::kIndependentSeconds;
   static constexpr double kAccelerationSeconds = 0.1;  ///< duration of an acceleration
   static constexpr double kPrior = 0.45;               ///< probability that an object moves of which nothing is known
-  static constexpr double kDrift = 0.35;               ///< share of v0: velocity sigma under *stands*
-  static constexpr double kNewDrift = 0.25;            ///< share of fits under *stands* with a drift of their own
-  static constexpr double kLastingDrift = 0.2;         ///< and with one that lasts
+  static constexpr double kDrift = 0.35;               ///< share of v0: velocity sigma of a drift under *stands*
   static constexpr double kTurnDrift = 0.1;            ///< the same of u, share of v0_per_square_metre times range^2
+  static constexpr double kNewDrift = 0.25;            ///< share of fits under *stands* with a drift of their own
+  static constexpr double kLastingDrift = 0.2;         ///< and of those with one that lasts
   static constexpr double kFreshShare = 0.1;           ///< share of a new motion beside the prediction
   static constexpr double kFastVariance = 25;          ///< of motorway speeds, over ordinary speeds
   static constexpr double kOutlierVariance = 36;       ///< of a wrong fit's velocity, over ordinary speeds
@@ -97,7 +97,7 @@ struct Belief {
   bool agrees(const MotionEstimate& e) const;
   void filter(const MotionEstimate& e, double speed2);
   static double mixed(double expected, double fresh) { return (1 - kFreshShare) * expected + kFreshShare * fresh; }
-  static Gaussian posterior(const Matrix3<double>& D, const Gaussian& fits);
+  static Gaussian drift_given(const Gaussian& fits, const Matrix3<double>& D);
   static double density(const Vector3<double>& x, const Matrix3<double>& S);
   static double hypothesis(const Vector3<double>& v, const Matrix3<double>& V, const Vector3<double>& m,
                            const Matrix3<double>& S, double v0);

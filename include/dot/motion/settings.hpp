@@ -73,9 +73,11 @@ struct VelocitySettings {
   double v0_at(double range) const { return std::max(1e-3, std::min(v0, v0_per_square_metre * range * range)); }
   /// `floor` at a range in metres, m/s.
   double floor_at(double range) const { return std::min(floor, floor_per_square_metre * range * range); }
+  /// Share of `acceleration` that traffic mostly uses.
+  static constexpr double kUsualShare = 0.3;
   /// Acceleration that movers mostly have at a range in metres, m/s^2. Hands, which move near things, use all of
-  /// `acceleration`, traffic a third.
-  double usual_acceleration_at(double range) const { return acceleration * std::clamp(5 / range, 0.3, 1.0); }
+  /// `acceleration`, traffic `kUsualShare`.
+  double usual_acceleration_at(double range) const { return acceleration * std::clamp(5 / range, kUsualShare, 1.0); }
   /// `acceleration` at a range in metres, m/s^2.
   double acceleration_at(double range) const { return std::min(acceleration, acceleration_per_metre * range); }
   /// `prior_speed` at a range in metres, m/s.

@@ -9,10 +9,9 @@
 DOT_BEGIN_NAMESPACE
 
 /// Variance per axis of the difference between the velocity over the last `dt` and that over the whole `span`. The
-/// velocity may have changed since the middle of the span, for traffic mostly by a third of `acceleration`, m/s^2.
+/// velocity may have changed since the middle of the span, by the usual share of `acceleration`, m/s^2.
 inline double variance_of_change(double span, double dt, double acceleration) {
-  constexpr double kMostly = 0.3;  // share of the acceleration
-  const double changed = 0.5 * (kMostly * acceleration) * (span - dt);
+  const double changed = 0.5 * (VelocitySettings::kUsualShare * acceleration) * (span - dt);
   return changed * changed;
 }
 

@@ -29,8 +29,8 @@ DOT_INLINE void Belief::predict(double dt, const Matrix3<double>& R_cur_prev, co
 
 DOT_INLINE void Belief::update(const MotionEstimate& e, double v0, const VelocitySettings& s) {
   const bool has_interval = e.span_seconds > 0 && std::isfinite(e.span_seconds) && e.span_frames > 0;
-  if (!has_interval || !e.velocity.allFinite() || !e.angular_velocity.allFinite() || !e.covariance.allFinite() ||
-      !e.angular_covariance.allFinite() || !e.inertia.allFinite())
+  if (!has_interval || !std::isfinite(e.range) || !e.velocity.allFinite() || !e.angular_velocity.allFinite() ||
+      !e.covariance.allFinite() || !e.angular_covariance.allFinite() || !e.inertia.allFinite())
     return;
   Belief after = *this;
   after.weigh(e, v0, s);
@@ -71,7 +71,7 @@ DOT_INLINE double Belief::translates_or_stands(const MotionEstimate& e, double v
 
   const Vector3<double> zero = Vector3<double>::Zero();
   const Matrix3<double> drift = sq(kDrift * v0) * I;
-  const Gaussian lasting = posterior(drift, {velocity, covariance});
+  const Gaussian lasting = drift_given({velocity, covariance}, drift);
   const Vector3<double> weakest = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(V).eigenvectors().col(2);
   // Both hypotheses, with the errors of the covariance and with those of a bad fit.
   double stands = 0, moves = 0;
@@ -112,7 +112,7 @@ DOT_INLINE double Belief::turns_or_not(const MotionEstimate& e, double v0, const
   Gaussian before, lasting;
   if (predicted) {
     before = {L * predicted->mean, L * predicted->covariance * L};
-    lasting = posterior(drift, before);
+    lasting = drift_given(before, drift);
   }
   double turns = 0, not_turns = 0;
   for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, U},
@@ -151,9 +151,8 @@ DOT_INLINE void Belief::filter(const MotionEstimate& e, double speed2) {
   covariance = 0.5 * (covariance + covariance.transpose()).eval();
 }
 
-/// What fits leave of a velocity of N(0, D): N(K m, D - K D), K = D (D + P)^-1.
-/// @param fits their mean m, wrong by N(0, P).
-DOT_INLINE Belief::Gaussian Belief::posterior(const Matrix3<double>& D, const Gaussian& fits) {
+/// What fits tell of a drift of N(0, D): N(K m, D - K D), K = D (D + P)^-1. @param fits their mean m, wrong by N(0, P).
+DOT_INLINE Belief::Gaussian Belief::drift_given(const Gaussian& fits, const Matrix3<double>& D) {
   const Matrix3<double> K = Matrix3<double>((D + fits.covariance).ldlt().solve(D)).transpose();  // zero without D
   return {K * fits.mean, D - K * D};
 }

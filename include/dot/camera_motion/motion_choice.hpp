@@ -11,8 +11,8 @@
 #include "dot/align/aligner.hpp"
 #include "dot/align/cell_votes.hpp"
 #include "dot/align/minima.hpp"
-#include "dot/align/settings.hpp"
 #include "dot/camera_motion/constant_velocity.hpp"
+#include "dot/camera_motion/settings.hpp"
 #include "dot/camera_motion/standing_camera.hpp"
 #include "dot/camera_motion/turn_search.hpp"
 

@@ -16,11 +16,4 @@ struct MaskSettings {
   int max_instances = 1024;      ///< of one segmentation; more are an error: mostly the image is no id image
 };
 
-/// Which objects the caller excludes by the mask; see pipeline/exclusion.hpp.
-struct ExclusionPolicy {
-  bool exclude_not_observable = true;  ///< objects that were never decided; for others the last decision counts
-  bool exclude_static = false;         ///< objects that are known to stand still, too
-  int dilation = 2;                    ///< pixels
-};
-
 }  // namespace dot

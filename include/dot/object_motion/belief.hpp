@@ -23,7 +23,7 @@ struct ObjectBelief {
   double last_fit = 0;  ///< timestamp of the last fit that the velocity agrees with
 
   /// Compares a fit of the last interval, in the axes of `velocity_now`, with the velocity. Must be called before
-  /// `take`.
+  /// `adopt`.
   /// @param timestamp of the frame that the fit leads to. @param dt seconds since the frame before.
   void check_velocity(const ObjectFit& fit, double max_acceleration, double timestamp, double dt) {
     if (fit.ok()) {
@@ -36,7 +36,7 @@ struct ObjectBelief {
   }
 
   /// Adopts the classifier's decision.
-  void take(const Decision& d) {
+  void adopt(const Decision& d) {
     state = always_dynamic ? State::Moving : d.state;
     p_moving = always_dynamic ? 1 : d.p_moving;
     velocity_now = d.velocity;

@@ -14,6 +14,7 @@
 #include "dot/object_motion/first_fit.hpp"
 #include "dot/object_motion/fit.hpp"
 #include "dot/object_motion/problem.hpp"
+#include "dot/object_motion/settings.hpp"
 #include "dot/object_motion/velocity_search.hpp"
 
 DOT_BEGIN_NAMESPACE

@@ -4,8 +4,8 @@
 
 #include <Eigen/Cholesky>
 
-#include "dot/motion/settings.hpp"
 #include "dot/object_motion/fit.hpp"
+#include "dot/object_motion/settings.hpp"
 #include "dot/statistics/chi2.hpp"
 
 DOT_BEGIN_NAMESPACE

@@ -5,6 +5,7 @@
 #include "dot/motion/settings.hpp"
 #include "dot/object_motion/fit.hpp"
 #include "dot/object_motion/problem.hpp"
+#include "dot/object_motion/settings.hpp"
 
 DOT_BEGIN_NAMESPACE
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "dot/align/aligner.hpp"
-#include "dot/motion/settings.hpp"
 #include "dot/object_motion/reference.hpp"
+#include "dot/object_motion/settings.hpp"
 #include "dot/points/plane_fit.hpp"
 
 DOT_BEGIN_NAMESPACE

@@ -9,10 +9,16 @@
 #include <vector>
 
 #include "dot/image/view.hpp"
-#include "dot/mask/settings.hpp"
 #include "dot/pipeline/result.hpp"
 
 namespace dot {
+
+/// Which objects the caller excludes by the mask.
+struct ExclusionPolicy {
+  bool exclude_not_observable = true;  ///< objects that were never decided; for others the last decision counts
+  bool exclude_static = false;         ///< objects that are known to stand still, too
+  int dilation = 2;                    ///< pixels
+};
 
 namespace exclusion {
 

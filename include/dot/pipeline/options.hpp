@@ -4,8 +4,10 @@
 
 #include "dot/align/settings.hpp"
 #include "dot/camera/settings.hpp"
+#include "dot/camera_motion/settings.hpp"
 #include "dot/mask/settings.hpp"
 #include "dot/motion/settings.hpp"
+#include "dot/object_motion/settings.hpp"
 #include "dot/points/settings.hpp"
 
 namespace dot {

@@ -266,7 +266,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::decide(Track& t, const FrameDat
   if (!repeated) t.belief.check_velocity(step.fit, estimator.settings.max_acceleration, cur.timestamp, seconds);
   if (t.identity.discovered && !repeated) t.candidacy.confirm(step, t.belief, estimator.velocity, seconds);
   auto& memory = static_cast<ClassifiedTrack&>(t).memory;
-  t.belief.take(setup.classifier(memory, step.has_evidence && !repeated ? &step.evidence : nullptr, R_cur_fit, dt));
+  t.belief.adopt(setup.classifier(memory, step.has_evidence && !repeated ? &step.evidence : nullptr, R_cur_fit, dt));
   if (t.identity.discovered) t.candidacy.decide(t.belief.state);
 }
 

@@ -37,6 +37,8 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
   holes50       half of the depth missing, in patches
   thin50        half of the depth missing, here and there
   edges         depth at strong gradients of the image alone
+  scale2        depth of a network: that of each frame is wrong by a factor of its own, 2 % (sigma)
+  objects5      depth of a network: that of each object is wrong by a factor of its own, 5 % (sigma), which stays
   wide          masks that reach 6 pixels beyond their objects, nearer ones over farther ones
 """
 import glob
@@ -50,6 +52,7 @@ import numpy as np
 IMAGES = ("rgb", "depth", "depth_true", "instance", "masks")
 POSES = (("poses.txt", 0), ("object_poses.txt", 2))  # and the columns before the pose
 
+NETWORKS = ("scale2", "objects5")
 NOISE = {"noise": (1, 8), "grain": (1, 25), "dark": (0.25, 1.5)}  # gain, and sigma in grey values
 
 
@@ -126,6 +129,17 @@ def at_edges(depth, image):
     gradient = np.hypot(cv2.Sobel(grey, cv2.CV_32F, 1, 0), cv2.Sobel(grey, cv2.CV_32F, 0, 1))
     strong = (gradient > np.percentile(gradient, 85)).astype(np.uint8)
     return np.where(cv2.dilate(strong, np.ones((3, 3))) > 0, depth, 0).astype(depth.dtype)
+
+
+def rescaled(depth, kind, frame, sequence):
+    """The depth of a frame by a network."""
+    factor = np.exp(np.random.default_rng(frame).normal(0, 0.02))
+    if kind == "objects5":
+        instance = cv2.imread(f"{sequence}/instance/{frame:06d}.png", cv2.IMREAD_UNCHANGED)
+        factor = np.ones(depth.shape)
+        for i in np.unique(instance[instance > 0]):
+            factor[instance == i] = np.exp(np.random.default_rng(int(i)).normal(0, 0.05))
+    return np.where(depth > 0, np.clip(np.round(depth * factor), 1, 65535), 0).astype(depth.dtype)
 
 
 def widened(ids, depth):
@@ -307,7 +321,7 @@ def camera(line, kind):
         fps /= 2
     if kind == "twice":
         fps *= 2
-    if kind in BEAMS:
+    if kind in BEAMS or kind in NETWORKS:
         baseline = 0
     return f"{fx} {fy} {cx} {cy} {int(width)} {int(height)} {baseline} {fps}\n"
 
@@ -353,6 +367,8 @@ def make(kind, out, sequence):
                     image = cv2.imread(f"{sequence}/{name}/{int(stem) - 1:06d}{suffix}", cv2.IMREAD_UNCHANGED)
                 if name == "depth" and kind in (*BEAMS, "holes50", "thin50", "edges"):
                     image = thinned(image, kind, int(stem), sequence, intrinsics, random)
+                elif name == "depth" and kind in NETWORKS:
+                    image = rescaled(image, kind, int(stem), sequence)
                 elif kind == "wide" and name == "masks":
                     image = widened(image, cv2.imread(f"{sequence}/depth/{stem}.png", cv2.IMREAD_UNCHANGED))
                 elif kind in ("bands", "overlay") and name == "rgb":
@@ -368,7 +384,8 @@ def make(kind, out, sequence):
                 cv2.imwrite(f"{target}.png", np.ascontiguousarray(image), [cv2.IMWRITE_PNG_COMPRESSION, 1])
     with open(f"{sequence}/intrinsics.txt") as f, open(f"{folder}/intrinsics.txt", "w") as g:
         g.write(camera(f.readline(), kind))
-        g.write("depth lidar\n" if kind in BEAMS else f.read())
+        rest = f.read()
+        g.write("depth lidar\n" if kind in BEAMS else "depth unknown\n" if kind in NETWORKS else rest)
     with open(f"{sequence}/objects.csv") as f, open(f"{folder}/objects.csv", "w") as g:
         g.write(f.readline())
         rows = [line.split(",", 1) for line in f]
@@ -399,6 +416,7 @@ def make(kind, out, sequence):
 def main():
     kinds = "half third mirror crop slow twice reverse late skip1 skip2 skip3 bands flicker noise grain dark shake rolling"
     kinds += " bonnet caption letterbox tilt stutter overlay near bias lidar64 lidar32 lidar16 holes50 thin50 edges wide"
+    kinds += " " + " ".join(NETWORKS)
     if len(sys.argv) < 4 or sys.argv[1] not in kinds.split():
         sys.exit(__doc__)
     for sequence in sys.argv[3:]:

@@ -59,6 +59,7 @@ static_assert(to_c(dot::Suspicion::MasksCoverImage) == DOT_SUSPICION_MASKS_COVER
 static_assert(to_c(dot::Suspicion::SaturatedDepth) == DOT_SUSPICION_SATURATED_DEPTH);
 static_assert(to_c(dot::Suspicion::FixedPart) == DOT_SUSPICION_FIXED_PART);
 static_assert(to_c(dot::Suspicion::RollingShutter) == DOT_SUSPICION_ROLLING_SHUTTER);
+static_assert(to_c(dot::Suspicion::UnsteadyScale) == DOT_SUSPICION_UNSTEADY_SCALE);
 
 inline dot_object to_c(const dot::ObjectResult& object) {
   dot_object out{};

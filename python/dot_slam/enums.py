@@ -60,6 +60,7 @@ class Suspicion(IntEnum):
     SATURATED_DEPTH = 8  # depth cut off at a largest value instead of missing; share of the pixels, 0 to 1
     FIXED_PART = 9  # a part of the image that does not move with the scene; share of the image, 0 to 1
     ROLLING_SHUTTER = 10  # rows that a turning camera shows turned against each other; first to last row, radians
+    UNSTEADY_SCALE = 11  # depth whose scale differs from frame to frame, as that of a network; its sigma, relative
 
 
 class DepthSource(IntEnum):

@@ -45,8 +45,7 @@ struct Setting {
   double scale = 1;
   bool few_points = false;
   bool no_depth = false;
-  dot::UnusedShares shares;
-  double row_turn = 0;
+  dot::Noticed noticed;
 };
 
 Diagnosis look(const Setting& setting, int frames = 40) {
@@ -59,8 +58,7 @@ Diagnosis look(const Setting& setting, int frames = 40) {
     frame.repeats = again;
     frame.depth.levels[0] = scene(100 + (again ? i - 1 : i) - setting.depth_late, setting.scale).depth.levels[0];
     if (setting.no_depth) frame.depth.levels[0].fill(0);
-    last = watch.update(frame, noise, i > 0 ? setting.seconds : 0, 1, setting.few_points, setting.shares,
-                        setting.row_turn);
+    last = watch.update(frame, noise, i > 0 ? setting.seconds : 0, 1, setting.few_points, setting.noticed);
   }
   return last;
 }
@@ -81,7 +79,7 @@ TEST(Watch, NoticesDepthOfAnotherFrame) {
 
 TEST(Watch, NoticesAFixedPart) {
   Setting setting;
-  setting.shares.fixed = 0.2;
+  setting.noticed.fixed = 0.2;
   EXPECT_EQ(look(setting).reason, Suspicion::FixedPart);
   EXPECT_EQ(look(setting).figure, 0.2);
   setting.depth_late = 1;  // is graver
@@ -90,11 +88,23 @@ TEST(Watch, NoticesAFixedPart) {
 
 TEST(Watch, NoticesRowsThatMoveDifferently) {
   Setting setting;
-  setting.row_turn = 0.02;
+  setting.noticed.row_turn = 0.02;
   EXPECT_EQ(look(setting).reason, Suspicion::RollingShutter);
   EXPECT_EQ(look(setting).figure, 0.02);
-  setting.shares.fixed = 0.2;  // is graver
+  setting.noticed.fixed = 0.2;  // is graver
   EXPECT_EQ(look(setting).reason, Suspicion::FixedPart);
+}
+
+TEST(Watch, NoticesDepthOfAnUnsteadyScale) {
+  Setting setting;
+  setting.noticed.scale_sigma = 0.02;
+  EXPECT_EQ(look(setting).reason, Suspicion::UnsteadyScale);
+  EXPECT_EQ(look(setting).figure, 0.02);
+  setting.noticed.row_turn = 0.02;  // is graver
+  EXPECT_EQ(look(setting).reason, Suspicion::RollingShutter);
+  Setting sensor;
+  sensor.noticed.scale_sigma = 0.005;
+  EXPECT_EQ(look(sensor).reason, Suspicion::None);
 }
 
 TEST(Watch, NoticesTimesThatAreNoSeconds) {
@@ -157,14 +167,14 @@ TEST(Watch, TellsLittleTextureFromLittleDepth) {
 // A lidar that is slower than the camera: the frames with depth have enough of everything.
 TEST(Watch, NoticesMasksThatLeaveNoBackground) {
   Setting setting;
-  setting.shares.masked = 0.97;
+  setting.noticed.masked = 0.97;
   EXPECT_EQ(look(setting).reason, Suspicion::None) << "there are points beside them";
   setting.few_points = true;
   EXPECT_EQ(look(setting).reason, Suspicion::MasksCoverImage);
   EXPECT_EQ(look(setting).figure, 0.97);
-  setting.shares.masked = 0.3;
+  setting.noticed.masked = 0.3;
   EXPECT_EQ(look(setting).reason, Suspicion::TooLittleTexture);
-  setting.shares.masked = 0.97;
+  setting.noticed.masked = 0.97;
   setting.no_depth = true;
   EXPECT_EQ(look(setting).reason, Suspicion::TooLittleDepth);
 }
@@ -185,7 +195,7 @@ TEST(Watch, TellsLittleTextureFromDepthThatComesWithSomeFrames) {
 
 TEST(Watch, NoticesDepthThatIsCutOff) {
   Setting setting;
-  setting.shares.saturated = 0.3;
+  setting.noticed.saturated = 0.3;
   EXPECT_EQ(look(setting, 7).reason, Suspicion::None);
   EXPECT_EQ(look(setting).reason, Suspicion::SaturatedDepth);
   EXPECT_EQ(look(setting).figure, 0.3);
@@ -221,6 +231,7 @@ TEST(Suspicion, HasNames) {
   EXPECT_STREQ(dot::to_string(Suspicion::SaturatedDepth), "saturated_depth");
   EXPECT_STREQ(dot::to_string(Suspicion::FixedPart), "fixed_part");
   EXPECT_STREQ(dot::to_string(Suspicion::RollingShutter), "rolling_shutter");
+  EXPECT_STREQ(dot::to_string(Suspicion::UnsteadyScale), "unsteady_scale");
 }
 
 }  // namespace

@@ -318,6 +318,25 @@ TEST(Belief, AnErrorThatLastsIsNoEvidence) {
   }
 }
 
+// The same velocity again and again is less evidence if errors of the object's depth may have caused it.
+TEST(Belief, AnErrorOfTheObjectsDepthLasts) {
+  const Vector3<double> sigma(0.2, 0.2, 0.8);
+  const auto p = [&](double speed, double share_of_depth) {
+    Belief belief;
+    for (int i = 0; i < 40; ++i) {
+      MotionEstimate e = fit({0, 0, -speed}, 0, 0.4, 4);
+      e.covariance = sigma.cwiseAbs2().asDiagonal();
+      e.depth_covariance(2, 2) = share_of_depth * e.covariance(2, 2);
+      belief.update(e, settings.v0_at(e.range), settings);
+      belief.predict(0.1, I, settings);
+    }
+    return belief.p_moving();
+  };
+  EXPECT_GT(p(1.2, 0), settings.decide);
+  EXPECT_LT(p(1.2, 0.9), 0.2);
+  EXPECT_GT(p(2, 0.9), settings.decide);
+}
+
 /// A fit of a box of a decimetre, 1.5 m away, that turns about a standing centre.
 MotionEstimate turning_fit(double angular_velocity, double sigma) {
   MotionEstimate e = fit({0, 0, 0}, 0.003);

@@ -34,10 +34,11 @@ struct Fit {
     alignment.with_depth = 200;
   }
 
-  Matrix6<double> covariance() const {
+  dot::DisplacementCovariance covariances() const {
     return displacement_covariance(dot::ReferencePair{reference, camera, 0.1}, alignment, reference.centroid, {},
                                    noise);
   }
+  Matrix6<double> covariance() const { return covariances().all; }
   /// Covariance of the centroid, where the measured inverse depth differs by so much from the predicted one.
   Matrix3<double> with_shift(double per_metre) {
     alignment.depth_shift = per_metre;
@@ -51,6 +52,18 @@ struct Fit {
   }
   double pixel_sigma() const { return noise.pixel_sigma(1 / reference.centroid.z()); }
 };
+
+TEST(DisplacementCovariance, NamesThePartOfTheDepth) {
+  Fit fit;
+  EXPECT_TRUE(fit.covariances().of_depth.isZero(0));
+  const Matrix6<double> without = fit.covariance();
+  fit.alignment.depth_modes[0] << 0, 0, 0.3, 0, 0, 0, 0, 0;
+  const dot::DisplacementCovariance with = fit.covariances();
+  EXPECT_GT(with.of_depth(2, 2), 1e-8);
+  EXPECT_TRUE(with.all.isApprox(without + with.of_depth, 1e-9));
+  fit.alignment.depth_modes[3] << 0, 0, 0.1, 0, 0, 0, 0, 0;  // what changes from frame to frame does not last
+  EXPECT_TRUE(fit.covariances().of_depth.isApprox(with.of_depth, 1e-9));
+}
 
 TEST(DisplacementCovariance, GrowsAlongTheRayByADepthThatContradictsTheFit) {
   for (const double metres : {0.3, -0.3}) {

@@ -137,7 +137,8 @@ enum {
   DOT_SUSPICION_MASKS_COVER_IMAGE = 7,   ///< masks leave too few points to track; share that they cover, 0 to 1
   DOT_SUSPICION_SATURATED_DEPTH = 8,     ///< depth cut off at a largest value, not missing; share of the pixels
   DOT_SUSPICION_FIXED_PART = 9,          ///< part of the image that does not move with the scene; share of the image
-  DOT_SUSPICION_ROLLING_SHUTTER = 10     ///< rows turned against each other; first to last row, radians
+  DOT_SUSPICION_ROLLING_SHUTTER = 10,    ///< rows turned against each other; first to last row, radians
+  DOT_SUSPICION_UNSTEADY_SCALE = 11      ///< depth whose scale differs from frame to frame; its sigma, relative
 };
 
 /// dot_options.classifier.

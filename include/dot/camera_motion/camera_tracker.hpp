@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -53,6 +54,10 @@ class CameraTracker {
   void learn_depth(const FrameData& cur, const CameraStep& step, const Camera& camera, const AlignSettings& settings,
                    int min_points, Noise& noise);
 
+  /// What an unsteady scale of the depth adds to the covariance of a step (ScaleJitter). Objects share the scale, so it
+  /// is not part of what the camera's error adds to theirs. Must be called after `learn_depth`.
+  Matrix6<double> scale_covariance(const CameraStep& step) const;
+
   /// Finds what does not move with the scene. @param step led to `cur`. @param labels non-zero where objects are.
   /// @param ids which object it is, 0 = none.
   void find_fixed_parts(const FrameData& cur, const CameraStep& step, const PaintedImage<std::uint8_t>& labels,
@@ -70,6 +75,9 @@ class CameraTracker {
 
   /// The bias to be subtracted from the next frame's depth.
   DepthBias depth_bias() const { return bias_learning_.bias(); }
+
+  /// Standard deviation of the depth's scale from frame to frame, relative; 0 while it is not known.
+  double scale_sigma() const { return std::sqrt(depth_learning_.scale_jitter.variance()); }
 
   /// Share of the image that does not move with the scene, 0 if it is too small to matter.
   double fixed_share() const { return fixed_parts_.share(); }

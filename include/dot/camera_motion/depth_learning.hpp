@@ -12,6 +12,7 @@
 #include "dot/camera/concept.hpp"
 #include "dot/camera/depth_bias.hpp"
 #include "dot/camera/depth_noise.hpp"
+#include "dot/camera_motion/scale_jitter.hpp"
 #include "dot/containers/recycling_list.hpp"
 #include "dot/image/image.hpp"
 #include "dot/lie/se3.hpp"
@@ -26,7 +27,8 @@ DOT_BEGIN_NAMESPACE
 /// share, the scatter about the median is the error of single pixels. Over the patches the shared errors have heavier
 /// tails than a normal distribution, so their sigma is taken from the 85 % quantile. Smoothed over time, the errors
 /// scale the priors of DepthNoise: `change` against the previous frame, `common` against one about 0.4 s back. A
-/// standing camera sees the same errors again. So the image must have moved by kMinMotion pixels.
+/// standing camera sees the same errors again. So the image must have moved by kMinMotion pixels. What all patches of a
+/// frame have in common is an error of its scale, see ScaleJitter.
 struct DepthLearning {
   static constexpr int kWidth = 40;                                      ///< pixels: patch
   static constexpr int kHeight = 30;                                     ///< pixels: patch
@@ -95,6 +97,7 @@ struct DepthLearning {
   Scale change;                    ///< of the shared error, against the previous frame
   Scale common;                    ///< of the shared error, against the older frame
   Scale pixel;                     ///< of the error of each pixel
+  ScaleJitter scale_jitter;        ///< of the scale of whole frames
 
   /// Drops the frames, but keeps the learnt scales.
   void clear() noexcept { history.clear(); }
@@ -102,6 +105,7 @@ struct DepthLearning {
   void forget() noexcept {
     clear();
     change.clear(), common.clear(), pixel.clear();
+    scale_jitter = {};
     first_ = 0;
   }
 
@@ -166,12 +170,14 @@ struct DepthLearning {
     const Matrix3<float> R = p.T_cur_ref.R.cast<float>();
     const Vector3<float> t = p.T_cur_ref.t.cast<float>();
     medians_.clear();
+    ratios_.clear();
     scatters_.clear();
     motion_.clear();
     const DepthBias::Terms learnt = bias.coefficients - p.bias.coefficients;
     for (std::size_t k = 0; k + 1 < p.begin.size(); ++k)
       compare_patch(camera, p, k, static_cast<float>(p.place[k].dot(learnt)), R, t, inverse_depth, noise,
                     single != nullptr);
+    if (single) scale_jitter.add(ratios_);
     if (medians_.size() < kMinPatches || static_cast<double>(lower_median(motion_.begin(), motion_.end())) < kMinMotion)
       return;
     shared.add(quantile(medians_.begin(), medians_.end(), kSharedQuantile) / kSigmasOfQuantile);
@@ -215,6 +221,7 @@ struct DepthLearning {
     const double relief = std::max(other_surface, kRelief * middle);
     if (static_cast<double>(q_max - q_min) > relief) return;  // more than one surface
     const float m = lower_median(differences.begin(), end);
+    if (static_cast<double>(std::abs(m)) < kRelief * middle) ratios_.push_back(m / static_cast<float>(middle));
     if (static_cast<double>(std::abs(m)) > other_surface) return;  // something nearer hides it now
     motion_.push_back((last_position - camera.template project<float>(last_ray)).norm());
     medians_.push_back(static_cast<float>(std::abs(m) / noise.prior_shared_sigma(middle)));
@@ -226,7 +233,7 @@ struct DepthLearning {
   }
 
   int first_ = 0;  ///< patch of the first row
-  std::vector<float> medians_, scatters_, motion_;
+  std::vector<float> medians_, ratios_, scatters_, motion_;
 };
 
 DOT_END_NAMESPACE

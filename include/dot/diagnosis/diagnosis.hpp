@@ -19,8 +19,9 @@ enum class Suspicion : std::uint8_t {
   MasksCoverImage,   ///< masks that leave too few background points to track; the share that they cover, 0 to 1
   SaturatedDepth,    ///< depth that is cut off at a largest value instead of missing; share of the pixels, 0 to 1
   FixedPart,         ///< a part of the image that does not move with the scene; share of the image, 0 to 1
-  RollingShutter     ///< rows that a turning camera shows turned against each other; first to last row, radians. Wrong
+  RollingShutter,    ///< rows that a turning camera shows turned against each other; first to last row, radians. Wrong
                      ///< intrinsics, and depth that is no z, look like it
+  UnsteadyScale      ///< depth whose scale differs from frame to frame, as that of a network; its sigma, relative
 };
 
 /// Name of a suspicion, lower case with underscores; empty for None.
@@ -35,8 +36,9 @@ constexpr const char* to_string(Suspicion suspicion) {
                                    "masks_cover_image",
                                    "saturated_depth",
                                    "fixed_part",
-                                   "rolling_shutter"};
-  return suspicion <= Suspicion::RollingShutter ? names[static_cast<int>(suspicion)] : "?";
+                                   "rolling_shutter",
+                                   "unsteady_scale"};
+  return suspicion <= Suspicion::UnsteadyScale ? names[static_cast<int>(suspicion)] : "?";
 }
 
 /// What the tracker suspects of its input. It says so of the last frames, and takes it back when they are better.

@@ -41,6 +41,8 @@ inline std::string describe(const Diagnosis& diagnosis) {
       case Suspicion::RollingShutter:
         return {"rad",
                 "the rows of the image move differently: a rolling shutter, or other intrinsics than the image has"};
+      case Suspicion::UnsteadyScale:
+        return {"of the depth", "its scale differs from frame to frame: distances and speeds are as uncertain"};
     }
     return {"", ""};
   }();
@@ -73,7 +75,7 @@ class DiagnosisNews {
   static constexpr std::int64_t kAbsent = 200;
 
   std::int64_t frames_ = 0;
-  std::array<std::int64_t, static_cast<std::size_t>(Suspicion::RollingShutter) + 1>
+  std::array<std::int64_t, static_cast<std::size_t>(Suspicion::UnsteadyScale) + 1>
       last_{};  ///< frame, from 1; 0: never
 };
 

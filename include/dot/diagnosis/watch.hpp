@@ -12,11 +12,13 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// Shares of a frame's pixels, 0 to 1.
-struct UnusedShares {
-  double masked = 0;     ///< that objects cover; looked at if there are too few points beside them
-  double saturated = 0;  ///< whose depth was left out (DepthSaturation)
-  double fixed = 0;      ///< that do not move with the scene (FixedParts)
+/// What the stages have noticed of a frame. Shares are of its pixels, 0 to 1.
+struct Noticed {
+  double masked = 0;       ///< share that objects cover; looked at if there are too few points beside them
+  double saturated = 0;    ///< share whose depth was left out (DepthSaturation)
+  double fixed = 0;        ///< share that does not move with the scene (FixedParts)
+  double row_turn = 0;     ///< radians, of the last row against the first; 0 if that may be chance (RollingShutter)
+  double scale_sigma = 0;  ///< of the depth's scale from frame to frame, relative (ScaleJitter)
 };
 
 /// Notices input that no tracker can work with. It looks at a few rows of what `track` has computed.
@@ -26,11 +28,10 @@ class Watch {
   static constexpr double kMasked = 0.6;
 
   /// @param noise of the depth. @param seconds since the frame before, 0 for the first. @param max_gap of the frames,
-  /// seconds. @param too_few_points for the next frame's camera motion. @param shares of the image that are of no use.
-  /// @param row_turn of the last row against the first, radians; 0 if that may be chance.
+  /// seconds. @param too_few_points for the next frame's camera motion.
   template <typename Noise>
   Diagnosis update(const FrameData& frame, const Noise& noise, double seconds, double max_gap, bool too_few_points,
-                   const UnusedShares& shares = {}, double row_turn = 0) {
+                   const Noticed& noticed = {}) {
     const std::size_t level = frame.pyramid.size() > 1 ? 1 : 0;
     const bool first = !(seconds > 0);
     if (first || seconds > max_gap) step_.clear();
@@ -50,15 +51,16 @@ class Watch {
     const bool little_depth = too_few_points && measured < kLittleDepth;
     no_depth_.add(little_depth);
     if (little_depth) little_depth_ = measured;
-    const bool covered = too_few_points && shares.masked > kMasked;
+    const bool covered = too_few_points && noticed.masked > kMasked;
     covered_.add(covered);
-    if (covered) last_.masked = shares.masked;
-    saturated_.add(shares.saturated > 0);
-    if (shares.saturated > 0) last_.saturated = shares.saturated;
-    fixed_.add(shares.fixed > 0);
-    if (shares.fixed > 0) last_.fixed = shares.fixed;
-    rolling_.add(row_turn > 0);
-    if (row_turn > 0) row_turn_ = row_turn;
+    if (covered) last_.masked = noticed.masked;
+    saturated_.add(noticed.saturated > 0);
+    if (noticed.saturated > 0) last_.saturated = noticed.saturated;
+    fixed_.add(noticed.fixed > 0);
+    if (noticed.fixed > 0) last_.fixed = noticed.fixed;
+    rolling_.add(noticed.row_turn > 0);
+    if (noticed.row_turn > 0) last_.row_turn = noticed.row_turn;
+    unsteady_.add(noticed.scale_sigma > kUnsteady);
 
     if (gaps_.share() > 0.5) return {Suspicion::ImplausibleTimes, seconds};
     if (repeats_.times() > 1 && repeats_.share() >= kRepeats) return {Suspicion::RepeatedImages, repeats_.share()};
@@ -74,14 +76,15 @@ class Watch {
     if (const int lag = step_.lag(); lag != 0) return {Suspicion::DepthOutOfStep, static_cast<double>(lag)};
     if (saturated_.share() > 0.5) return {Suspicion::SaturatedDepth, last_.saturated};
     if (fixed_.share() > 0.5) return {Suspicion::FixedPart, last_.fixed};
-    if (rolling_.share() > 0.5) return {Suspicion::RollingShutter, row_turn_};
+    if (rolling_.share() > 0.5) return {Suspicion::RollingShutter, last_.row_turn};
+    if (unsteady_.share() > 0.5) return {Suspicion::UnsteadyScale, noticed.scale_sigma};
     return {};
   }
 
   /// Starts afresh, as at the first frame.
   void forget() noexcept {
     step_.clear();
-    gaps_ = repeats_ = few_points_ = no_depth_ = covered_ = saturated_ = fixed_ = rolling_ = {};
+    gaps_ = repeats_ = few_points_ = no_depth_ = covered_ = saturated_ = fixed_ = rolling_ = unsteady_ = {};
     run_ = 0;
   }
 
@@ -112,13 +115,13 @@ class Watch {
   static constexpr double kShortestStep = 5e-4;  ///< seconds
   static constexpr double kRepeats = 0.12;       ///< share of repeated images that disturbs
   static constexpr double kLittleDepth = 0.05;   ///< share of the pixels
+  static constexpr double kUnsteady = 0.01;      ///< of the scale; sensors have a tenth of it
   static constexpr double kFarthest = 150, kNearest = 0.1;  ///< metres, harmonic mean
 
   DepthStep step_;
-  Share gaps_, repeats_, few_points_, no_depth_, covered_, saturated_, fixed_, rolling_;
+  Share gaps_, repeats_, few_points_, no_depth_, covered_, saturated_, fixed_, rolling_, unsteady_;
   double little_depth_ = 0;  ///< share of the pixels with depth in the last frame that had too little
-  UnusedShares last_;        ///< of the last frames that had any
-  double row_turn_ = 0;      ///< radians, in the last frame that had any
+  Noticed last_;             ///< of the last frames that had any
   int run_ = 0;              ///< FrameData::repeats of the newest frame
 };
 

@@ -17,11 +17,13 @@ DOT_BEGIN_NAMESPACE
 /// Belief over time that an object moves: the log odds of *moves* against *stands*, and a Kalman filter of the velocity
 /// under *moves*.
 ///
-///     stands: v ~ N(d, V). Mostly d = 0. Or d is a drift, N(0, (0.35 v0)^2), which is new in each fit, or which lasts
+///     stands: v ~ N(b + d, V - D). The object's depth causes the error b ~ N(0, D), which lasts. Mostly d = 0. Or d
+///             is a drift, N(0, (0.35 v0)^2), which is new in each fit, or which lasts
 ///     moves:  v ~ N(m, P + V), the filter's prediction, mixed with a fresh prior of any velocity
 ///
-/// What the fits before say of a drift that lasts, the next should say again. Without it, *moves* alone would profit
-/// from a small wrong velocity that stays the same. The filter expects the usual accelerations, not the largest.
+/// D is a share of what errors of the depth add to V (MotionEstimate::depth_covariance): 0.1, because other frames have
+/// others. What the fits before say of an error that lasts, the next should say again. Without it, *moves* alone would
+/// profit from a small wrong velocity that stays the same. The filter expects the usual accelerations, not the largest.
 /// Otherwise *moves* would expect so many velocities that those of a slow mover are better explained by standing.
 ///
 /// The errors of real fits have heavy tails. One fit in five is worse than its covariance, because of reflections, half
@@ -53,8 +55,9 @@ struct Belief {
   static constexpr double kPrior = 0.45;               ///< probability that an object moves of which nothing is known
   static constexpr double kDrift = 0.35;               ///< share of v0: velocity sigma of a drift under *stands*
   static constexpr double kTurnDrift = 0.1;            ///< the same of u, share of v0_per_square_metre times range^2
-  static constexpr double kNewDrift = 0.25;            ///< share of fits under *stands* with a drift of their own
+  static constexpr double kNewDrift = 0.15;            ///< share of fits under *stands* with a drift of their own
   static constexpr double kLastingDrift = 0.2;         ///< and of those with one that lasts
+  static constexpr double kLastingDepth = 0.1;         ///< share of the variance of the object's depth error that lasts
   static constexpr double kFreshShare = 0.1;           ///< share of a new motion beside the prediction
   static constexpr double kFastVariance = 25;          ///< of motorway speeds, over ordinary speeds
   static constexpr double kOutlierVariance = 36;       ///< of a wrong fit's velocity, over ordinary speeds

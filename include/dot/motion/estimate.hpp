@@ -15,9 +15,10 @@ DOT_BEGIN_NAMESPACE
 /// A rigid motion moves each point of the object differently. A point at r from the centroid has the velocity v + w x
 /// r. The mean of the square over all points is |v|^2 + w' J w, where J is the mean of |r|^2 I - r r'.
 struct MotionEstimate {
-  Vector3<double> velocity = Vector3<double>::Zero();            ///< v, of the centroid, m/s
-  Vector3<double> angular_velocity = Vector3<double>::Zero();    ///< w, rad/s
-  Matrix3<double> covariance = Matrix3<double>::Zero();          ///< of v: photometric, camera's and depth's share
+  Vector3<double> velocity = Vector3<double>::Zero();          ///< v, of the centroid, m/s
+  Vector3<double> angular_velocity = Vector3<double>::Zero();  ///< w, rad/s
+  Matrix3<double> covariance = Matrix3<double>::Zero();        ///< of v: photometric, camera's and depth's share
+  Matrix3<double> depth_covariance = Matrix3<double>::Zero();  ///< the part from the depth errors that the points share
   Matrix3<double> angular_covariance = Matrix3<double>::Zero();  ///< of w, likewise
   Matrix3<double> inertia = Matrix3<double>::Zero();  ///< J, m^2, of the points about the centroid; zero: not known
   double span_seconds = 0;                            ///< seconds the fit spans

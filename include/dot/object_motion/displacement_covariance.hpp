@@ -40,15 +40,22 @@ inline void add_contradicting_depth(const ReferencePair& pair, const Alignment& 
                                  (Matrix3<double>::Identity() - ray * ray.transpose());
 }
 
-/// Covariance of the twist of T_o about the moved centroid: photometric part + depth errors that the object's points
+/// Covariances of the twist of T_o about the moved centroid.
+struct DisplacementCovariance {
+  Matrix6<double> all = Matrix6<double>::Zero();       ///< all parts together
+  Matrix6<double> of_depth = Matrix6<double>::Zero();  ///< the part from the depth errors that the points share
+};
+
+/// Their parts: photometric part + depth errors that the object's points
 /// share, propagated through the fit (constant over the object, linear over it in u and v, and changing between the
 /// frames) + what the measured depth contradicts + the camera's part. The noise model was learnt from the background.
 /// Where the object's measured depth scatters more about the prediction than the model says, its depth errors are
 /// scaled up by that excess.
 /// @param moved the centroid after the fit's motion, axes of the reference's camera.
 template <typename Noise>
-Matrix6<double> displacement_covariance(const ReferencePair& pair, const Alignment& a, const Vector3<double>& moved,
-                                        const VelocitySettings& settings, const Noise& noise) {
+DisplacementCovariance displacement_covariance(const ReferencePair& pair, const Alignment& a,
+                                               const Vector3<double>& moved, const VelocitySettings& settings,
+                                               const Noise& noise) {
   constexpr double kSteadySeconds = 0.25;  // up to here depth errors change less than their size
   constexpr double kScatterOfFit = 1.2;    // scatter of depths about a good fit, over one pixel's noise
   constexpr double kMostExcess = 4;        // largest factor of an object's depth noise over the background's
@@ -67,20 +74,21 @@ Matrix6<double> displacement_covariance(const ReferencePair& pair, const Alignme
       pair.seconds > kSteadySeconds ? std::max(common, noise.shared_drift_sigma(q)) : noise.shared_drift_sigma(q);
   const double per_area = 1.0 * kIndependentPixels / std::max(kIndependentPixels, reference.area);
   const double close = std::min(1.0, kCorrelatedPixels * reference.points.size() / std::max(1, reference.area));
-  Matrix6<double> V =
-      settings.photometric_scale * (kFarApart + (1 - kFarApart) * close) * a.covariance.topLeftCorner<6, 6>();
-  const auto add = [&](const Vector8& mode, double variance) {
-    const Vector6<double> x = mode.head<6>();
-    V += variance * x * x.transpose();
+  const auto of_mode = [&](int mode, double variance) -> Matrix6<double> {
+    const Vector6<double> x = a.depth_modes[static_cast<std::size_t>(mode)].template head<6>();
+    return variance * x * x.transpose();
   };
-  add(a.depth_modes[0], kConstantMode * common * common + per_area * pixel * pixel);
-  add(a.depth_modes[1], kSlopeModes * common * common + reference.slope_variance);
-  add(a.depth_modes[2], kSlopeModes * common * common + reference.slope_variance);
-  add(a.depth_modes[3], change * change);
+  DisplacementCovariance out;
+  out.of_depth = of_mode(0, kConstantMode * common * common + per_area * pixel * pixel) +
+                 of_mode(1, kSlopeModes * common * common + reference.slope_variance) +
+                 of_mode(2, kSlopeModes * common * common + reference.slope_variance);
+  Matrix6<double>& V = out.all;
+  V = settings.photometric_scale * (kFarApart + (1 - kFarApart) * close) * a.covariance.topLeftCorner<6, 6>() +
+      out.of_depth + of_mode(3, change * change);
   const double of_median = std::sqrt(std::max(per_area, kVarianceOfMedian / std::max(1, a.with_depth))) * pixel;
   add_contradicting_depth(pair, a, moved, std::hypot(change, of_median), of_fit, V);
-  return V +
-         camera_share(pair.camera.covariance, pair.camera.T_now_ref, Vector3<double>(pair.camera.T_now_ref * moved));
+  V += camera_share(pair.camera.covariance, pair.camera.T_now_ref, Vector3<double>(pair.camera.T_now_ref * moved));
+  return out;
 }
 
 DOT_END_NAMESPACE

@@ -167,9 +167,11 @@ struct ObjectMotionEstimator {
     m.span_seconds = dt;
     m.span_frames = std::max(1, pair.camera.intervals);
     m.range = moved.z();
-    const Matrix6<double> V = displacement_covariance(pair, a, moved, velocity, noise) / (dt * dt);
+    const DisplacementCovariance displacement = displacement_covariance(pair, a, moved, velocity, noise);
+    const Matrix6<double> V = displacement.all / (dt * dt);
     const double floor = velocity.floor_at(m.range);
     m.covariance = V.topLeftCorner<3, 3>() + Matrix3<double>::Identity() * floor * floor;
+    m.depth_covariance = displacement.of_depth.topLeftCorner<3, 3>() / (dt * dt);
     const Matrix3<double> K = without_prior(out.sigma.bottomRightCorner<3, 3>(), prior, dt);
     m.angular_velocity = K * so3::log(out.T_o.R) / dt;
     m.angular_covariance = velocity.rotation_scale * K * V.bottomRightCorner<3, 3>() * K.transpose();

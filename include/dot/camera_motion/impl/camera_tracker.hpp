@@ -205,6 +205,15 @@ void CameraTracker<Camera, Noise, Aligner>::learn_depth(const FrameData& cur, co
 }
 
 template <typename Camera, typename Noise, typename Aligner>
+Matrix6<double> CameraTracker<Camera, Noise, Aligner>::scale_covariance(const CameraStep& step) const {
+  Matrix6<double> covariance = Matrix6<double>::Zero();
+  const Vector3<double>& t = step.T_cur_prev.t;
+  if (step.status == CameraStatus::Tracked)
+    covariance.template topLeftCorner<3, 3>() = depth_learning_.scale_jitter.variance() * t * t.transpose();
+  return covariance;
+}
+
+template <typename Camera, typename Noise, typename Aligner>
 void CameraTracker<Camera, Noise, Aligner>::find_fixed_parts(const FrameData& cur, const CameraStep& step,
                                                              const PaintedImage<std::uint8_t>& labels,
                                                              const Image<std::uint32_t>& ids, const Camera& camera,

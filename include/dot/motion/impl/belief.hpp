@@ -30,7 +30,8 @@ DOT_INLINE void Belief::predict(double dt, const Matrix3<double>& R_cur_prev, co
 DOT_INLINE void Belief::update(const MotionEstimate& e, double v0, const VelocitySettings& s) {
   const bool has_interval = e.span_seconds > 0 && std::isfinite(e.span_seconds) && e.span_frames > 0;
   if (!has_interval || !std::isfinite(e.range) || !e.velocity.allFinite() || !e.angular_velocity.allFinite() ||
-      !e.covariance.allFinite() || !e.angular_covariance.allFinite() || !e.inertia.allFinite())
+      !e.covariance.allFinite() || !e.depth_covariance.allFinite() || !e.angular_covariance.allFinite() ||
+      !e.inertia.allFinite())
     return;
   Belief after = *this;
   after.weigh(e, v0, s);
@@ -71,16 +72,21 @@ DOT_INLINE double Belief::translates_or_stands(const MotionEstimate& e, double v
 
   const Vector3<double> zero = Vector3<double>::Zero();
   const Matrix3<double> drift = sq(kDrift * v0) * I;
-  const Gaussian lasting = drift_given({velocity, covariance}, drift);
+  // Errors that last: those of the object's depth, D, and then a drift besides. The fits before tell of both.
+  const Matrix3<double> D = kLastingDepth * e.depth_covariance;
+  const Gaussian fits{velocity, covariance}, of_depth = drift_given(fits, D), lasting = drift_given(fits, D + drift);
   const Vector3<double> weakest = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(V).eigenvectors().col(2);
   // Both hypotheses, with the errors of the covariance and with those of a bad fit.
   double stands = 0, moves = 0;
   for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, V},
                                  std::pair<double, Matrix3<double>>{s.tail_share, s.tail_variance * V}}) {
     double still = density(v, S + drift);
-    if (has_velocity())
-      still = kNewDrift * still + kLastingDrift * density(v - lasting.mean, S + lasting.covariance) +
-              (1 - kNewDrift - kLastingDrift) * density(v, S);
+    if (has_velocity()) {
+      const Matrix3<double> usual = S - D + of_depth.covariance;
+      still = kNewDrift * density(v - of_depth.mean, usual + drift) +
+              kLastingDrift * density(v - lasting.mean, S - D + lasting.covariance) +
+              (1 - kNewDrift - kLastingDrift) * density(v - of_depth.mean, usual);
+    }
     stands += share * still;
     double fresh = 0;
     for (const double scale : {1.0, kFastVariance}) {

@@ -38,6 +38,7 @@ DOT_INLINE MotionEstimate MotionEstimate::rotated(const Matrix3<double>& R) cons
   out.velocity = R * velocity;
   out.angular_velocity = R * angular_velocity;
   out.covariance = R * covariance * R.transpose();
+  out.depth_covariance = R * depth_covariance * R.transpose();
   out.angular_covariance = R * angular_covariance * R.transpose();
   out.inertia = R * inertia * R.transpose();
   return out;

@@ -135,12 +135,13 @@ void Dot<Camera, Classifier, Noise, Aligner>::prepare_next(const CameraStep& cam
   remember(camera_step);
   frames_.prepare_second();
   const double step = previous_ ? current_->timestamp - previous_->timestamp : 0;
-  UnusedShares shares;
-  shares.masked = result_.too_little_depth ? labeller_.labels().share() : 0;
-  shares.saturated = saturation_.share();
-  shares.fixed = camera_tracker_.fixed_share();
-  result_.diagnosis = watch_.update(*current_, depth_noise, step, options_.max_gap, result_.too_little_depth, shares,
-                                    camera_step.rolling.turn.norm());
+  Noticed noticed;
+  noticed.masked = result_.too_little_depth ? labeller_.labels().share() : 0;
+  noticed.saturated = saturation_.share();
+  noticed.fixed = camera_tracker_.fixed_share();
+  noticed.row_turn = camera_step.rolling.turn.norm();
+  noticed.scale_sigma = camera_tracker_.scale_sigma();
+  result_.diagnosis = watch_.update(*current_, depth_noise, step, options_.max_gap, result_.too_little_depth, noticed);
   late_masks_.await(current_, camera_step, segmented, options_.mask, tracks_.all());
   result_.stage_ms[static_cast<std::size_t>(Stage::Points)] = stopwatch_.lap();
 }

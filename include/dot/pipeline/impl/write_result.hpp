@@ -20,11 +20,11 @@ void copy(const Eigen::MatrixBase<Derived>& m, Out& out) {
     for (Eigen::Index c = 0; c < m.cols(); ++c) out[static_cast<std::size_t>(r * m.cols() + c)] = m(r, c);
 }
 
-inline CameraResult result_of(const CameraStep& step) {
+inline CameraResult result_of(const CameraStep& step, const Matrix6<double>& covariance) {
   CameraResult out;
   out.status = step.status;
   out.T_cur_prev = step.T_cur_prev.row_major();
-  copy(step.covariance, out.covariance);
+  copy(covariance, out.covariance);
   out.phi = step.alignment.phi;
   out.gain = step.alignment.state.gain;
   out.offset = step.alignment.state.offset;
@@ -114,14 +114,15 @@ void Dot<Camera, Classifier, Noise, Aligner>::write_result(const Frame& frame, c
   if constexpr (std::is_same_v<Noise, DepthNoise>)
     result_.disparity_bias_px = current_->bias.is_zero() ? 0 : current_->bias.rms() * depth_noise.focal_baseline;
   constexpr double kMiddleRow = 0;  // whose motion a host takes for the frame's
-  result_.camera = writing::result_of(camera_step.at_row(kMiddleRow));
+  const CameraStep step = camera_step.at_row(kMiddleRow);
+  result_.camera = writing::result_of(step, step.covariance + camera_tracker_.scale_covariance(step));
   revised_.clear();
   for (const RevisedInterval& r : camera_tracker_.revised()) {
     CameraRevision& out = revised_.emplace_back();
     out.frame_id = r.frame_id;
     out.timestamp = r.timestamp;
     out.T_cur_prev = r.step.T_cur_prev.row_major();
-    writing::copy(r.step.covariance, out.covariance);
+    writing::copy(r.step.covariance + camera_tracker_.scale_covariance(r.step), out.covariance);
   }
   result_.revised = {revised_.data(), revised_.size()};
   objects_.assign(dropped_.begin(), dropped_.end());

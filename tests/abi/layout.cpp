@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "dot/pipeline/exclusion.hpp"
 #include "dot/tracker.hpp"
 
 namespace {

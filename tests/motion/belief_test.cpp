@@ -334,6 +334,7 @@ TEST(Belief, AnErrorOfTheObjectsDepthLasts) {
   };
   EXPECT_GT(p(1.2, 0), settings.decide);
   EXPECT_LT(p(1.2, 0.9), 0.2);
+  EXPECT_NEAR(p(1.5, 0.9), 0.5, 0.2);
   EXPECT_GT(p(2, 0.9), settings.decide);
 }
 

@@ -77,34 +77,22 @@ TEST(Watch, NoticesDepthOfAnotherFrame) {
   }
 }
 
-TEST(Watch, NoticesAFixedPart) {
+TEST(Watch, PassesOnWhatTheStagesNoticeTheGravestFirst) {
+  const auto expect = [](const Setting& setting, Suspicion reason, double figure) {
+    EXPECT_EQ(look(setting).reason, reason);
+    EXPECT_EQ(look(setting).figure, figure);
+  };
   Setting setting;
-  setting.noticed.fixed = 0.2;
-  EXPECT_EQ(look(setting).reason, Suspicion::FixedPart);
-  EXPECT_EQ(look(setting).figure, 0.2);
-  setting.depth_late = 1;  // is graver
-  EXPECT_EQ(look(setting).reason, Suspicion::DepthOutOfStep);
-}
-
-TEST(Watch, NoticesRowsThatMoveDifferently) {
-  Setting setting;
-  setting.noticed.row_turn = 0.02;
-  EXPECT_EQ(look(setting).reason, Suspicion::RollingShutter);
-  EXPECT_EQ(look(setting).figure, 0.02);
-  setting.noticed.fixed = 0.2;  // is graver
-  EXPECT_EQ(look(setting).reason, Suspicion::FixedPart);
-}
-
-TEST(Watch, NoticesDepthOfAnUnsteadyScale) {
-  Setting setting;
+  setting.noticed.scale_sigma = 0.005;  // as of a sensor
+  expect(setting, Suspicion::None, 0);
   setting.noticed.scale_sigma = 0.02;
-  EXPECT_EQ(look(setting).reason, Suspicion::UnsteadyScale);
-  EXPECT_EQ(look(setting).figure, 0.02);
-  setting.noticed.row_turn = 0.02;  // is graver
-  EXPECT_EQ(look(setting).reason, Suspicion::RollingShutter);
-  Setting sensor;
-  sensor.noticed.scale_sigma = 0.005;
-  EXPECT_EQ(look(sensor).reason, Suspicion::None);
+  expect(setting, Suspicion::UnsteadyScale, 0.02);
+  setting.noticed.row_turn = 0.03;
+  expect(setting, Suspicion::RollingShutter, 0.03);
+  setting.noticed.fixed = 0.2;
+  expect(setting, Suspicion::FixedPart, 0.2);
+  setting.depth_late = 1;
+  expect(setting, Suspicion::DepthOutOfStep, 1);
 }
 
 TEST(Watch, NoticesTimesThatAreNoSeconds) {

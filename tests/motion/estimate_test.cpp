@@ -155,6 +155,8 @@ TEST(PointSpeed, SigmaIsTheErrorOfTheirVelocities) {
   EXPECT_NEAR(e.point_speed_sigma() / std::sqrt(sum), 1, 0.03);
   const Matrix3<double> R = dot::so3::exp(Vector3<double>(0.3, 1, -0.5));
   EXPECT_NEAR(e.rotated(R).point_speed_sigma(), e.point_speed_sigma(), 1e-12);
+  e.depth_covariance = 0.5 * e.covariance;  // turns with it
+  EXPECT_TRUE(e.rotated(R).depth_covariance.isApprox(0.5 * e.rotated(R).covariance, 1e-12));
 }
 
 TEST(PointSpeed, WithoutPointsIsThatOfTheCentroid) {

@@ -221,6 +221,7 @@ struct DepthLearning {
     const double relief = std::max(other_surface, kRelief * middle);
     if (static_cast<double>(q_max - q_min) > relief) return;  // more than one surface
     const float m = lower_median(differences.begin(), end);
+    // Before what is too much for the noise is left out: a wrong scale may be more.
     if (static_cast<double>(std::abs(m)) < kRelief * middle) ratios_.push_back(m / static_cast<float>(middle));
     if (static_cast<double>(std::abs(m)) > other_surface) return;  // something nearer hides it now
     motion_.push_back((last_position - camera.template project<float>(last_ray)).norm());

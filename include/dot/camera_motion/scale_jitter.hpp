@@ -14,7 +14,8 @@ DOT_BEGIN_NAMESPACE
 
 /// Learns by how much the scale of the depth differs from frame to frame, as that of a network does.
 ///
-/// A camera motion and the depth that it predicts for the next frame have the scale of the frame before. So the next
+/// s is a factor on all inverse depths of a frame. A camera motion and the depth that it predicts for the next frame
+/// have the scale of the frame before. So the next
 /// frame's depth differs from the prediction by one factor, s_t / s_t-1, all over the background. The sum of the
 /// factors' logarithms is log s_t, wrong by a random walk. Its variance about a straight line over the last frames,
 /// less what the random walk explains, is that of log s. The line takes up what a bias of the depth does, and a slow

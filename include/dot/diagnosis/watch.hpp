@@ -115,7 +115,7 @@ class Watch {
   static constexpr double kShortestStep = 5e-4;  ///< seconds
   static constexpr double kRepeats = 0.12;       ///< share of repeated images that disturbs
   static constexpr double kLittleDepth = 0.05;   ///< share of the pixels
-  static constexpr double kUnsteady = 0.01;      ///< of the scale; sensors have a tenth of it
+  static constexpr double kUnsteady = 0.01;      ///< of the scale; no sensor tried here reaches it
   static constexpr double kFarthest = 150, kNearest = 0.1;  ///< metres, harmonic mean
 
   DepthStep step_;

@@ -15,12 +15,11 @@ DOT_BEGIN_NAMESPACE
 /// Learns by how much the scale of the depth differs from frame to frame, as that of a network does.
 ///
 /// s is a factor on all inverse depths of a frame. A camera motion and the depth that it predicts for the next frame
-/// have the scale of the frame before. So the next
-/// frame's depth differs from the prediction by one factor, s_t / s_t-1, all over the background. The sum of the
-/// factors' logarithms is log s_t, wrong by a random walk. Its variance about a straight line over the last frames,
-/// less what the random walk explains, is that of log s. The line takes up what a bias of the depth does, and a slow
-/// change of the scale, which no frame shows. Of the first few frames the factors alone tell: their variance is twice
-/// that of log s.
+/// have the scale of the frame before. So the next frame's depth differs from the prediction by one factor, s_t /
+/// s_t-1, all over the background. The sum of the factors' logarithms is log s_t, wrong by a random walk. Its variance
+/// about a straight line over the last frames, less what the random walk explains, is that of log s. The line takes up
+/// what a bias of the depth does, and a slow change of the scale, which no frame shows. Of the first few frames the
+/// factors alone tell: their variance is twice that of log s.
 class ScaleJitter {
  public:
   static constexpr std::size_t kFrames = 20;       ///< that count, at most

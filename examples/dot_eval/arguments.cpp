@@ -32,6 +32,8 @@ docs/evaluation.md defines the figures. The exit status is 1 when a sequence fai
   --jobs N                  sequences to run side by side (default 1); times are honest with 1 alone
   --min-speed V             slower true movers count by speed alone, m/s (default 1)
   --from F                  leave out the frames before number F, the camera aside
+  --boxes MARGIN            give the masks' boxes instead, as a detector does, each wider by a share of its width
+                            and height on each side
   --hide-movers             take every second true mover out of the masks and measure how much of it is found
   --compare                 let the rules of published systems decide the same masks, given the true camera, and
                             measure them beside the tracker, instead of the above; see docs/evaluation.md
@@ -69,6 +71,13 @@ double parse_speed(const std::string& option, const std::string& value) {
   return *speed;
 }
 
+double parse_margin(const std::string& option, const std::string& value) {
+  const std::optional<double> margin = runner::parse_number(value);
+  if (!margin || !(*margin >= 0) || *margin > 1)
+    throw UsageError(option + " needs a share from 0 to 1, not '" + value + "'");
+  return *margin;
+}
+
 void check(const Arguments& a) {
   if (a.sequences.empty()) throw UsageError("no sequence folder given");
   if (!a.run.sequence.camera.empty() && a.sequences.size() > 1)
@@ -87,6 +96,7 @@ void check(const Arguments& a) {
                                                  {(starts || delays) && a.compare, "--compare"},
                                                  {(starts || a.compare) && a.hide_movers, "--hide-movers"},
                                                  {starts && a.scoring.from > 0, "--from"},
+                                                 {a.boxes.has_value(), "--boxes"},
                                                  {(starts || a.compare) && a.jobs > 1, "--jobs"}};
   for (const auto& [given, name] : others)
     if (given) throw UsageError(std::string(name) + " cannot be combined with " + instead);
@@ -119,6 +129,7 @@ Arguments parse_arguments(int count, const char* const* values) {
               [&](auto& name, auto& value) { a.drop_largest = runner::whole_number(name, value, 0); });
   line.option("--network-delay", [&](auto& name, auto& value) { a.network_delays = parse_delays(name, value); });
   line.option("--plot", [&](auto& name, auto& value) { a.plot = runner::not_empty(name, value); });
+  line.option("--boxes", [&](auto& name, auto& value) { a.boxes = parse_margin(name, value); });
   line.option("--from", [&](auto& name, auto& value) { a.scoring.from = runner::whole_number(name, value, 0); });
   line.parse(count, values, [&](const std::string& argument) { a.sequences.emplace_back(argument); });
   if (!a.help) check(a);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ struct Arguments {
   std::filesystem::path json;  ///< empty: none
   int jobs = 1;
   bool hide_movers = false;
-  bool compare = false;  ///< with the rules of published systems, see compare.hpp
+  std::optional<double> boxes;  ///< boxes instead of masks, with this margin, see boxes.hpp
+  bool compare = false;         ///< with the rules of published systems, see compare.hpp
   int starts = 0;        ///< start a tracker at every so many frames, see starts.hpp; 0: evaluate whole sequences
   int start_frames = 8;  ///< frames after each start
   int drop_largest = 0;  ///< frames after each start in which the largest mover has no mask

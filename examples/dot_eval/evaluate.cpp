@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "boxes.hpp"
 #include "dot/lie/se3.hpp"
 #include "dot/tracker.hpp"
 #include "real_time/delayed_masks.hpp"
@@ -102,6 +103,7 @@ void run(const Arguments& arguments, const std::filesystem::path& folder, const 
     runner::SequenceFrame& frame = *read;
     const runner::FrameTruth truth = sequence.truth(i);
     if (hidden) hidden->remove(frame, truth.instance);
+    if (arguments.boxes) make_boxes(*arguments.boxes, frame);
 
     const dot::Frame now = delayed ? delayed->next(read) : frame.frame();
     const auto start = std::chrono::steady_clock::now();

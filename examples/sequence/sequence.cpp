@@ -42,7 +42,9 @@ dot::Frame SequenceFrame::frame() const {
   frame.timestamp = timestamp;
   frame.image = dot::view(image);
   frame.depth = dot::depth_view(depth, depth_units_per_metre);
-  if (!ids.empty()) frame.masks = dot::Masks{dot::id_view(ids), {instances.data(), instances.size()}};
+  const dot::Span<dot::Instance> list{instances.data(), instances.size()};
+  if (!ids.empty()) frame.masks = dot::Masks{dot::id_view(ids), list};
+  if (!filled.empty()) frame.masks = dot::Masks{{}, list};
   frame.camera_motion = camera_motion;
   return frame;
 }

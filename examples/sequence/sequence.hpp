@@ -22,8 +22,9 @@ struct SequenceFrame {
   cv::Mat depth;  ///< CV_16UC1, or CV_32FC1 in metres
   double depth_units_per_metre = 256;
   bool masks_wanted = true;  ///< SequenceOptions::mask_every does not leave this frame out
-  cv::Mat ids;               ///< empty: no segmentation
+  cv::Mat ids;               ///< empty: no segmentation, unless there is a list
   std::vector<dot::Instance> instances;
+  cv::Mat filled;  ///< CV_8UC1, all set: what a list of boxes borrows
   std::optional<dot::CameraMotion> camera_motion;
 
   dot::Frame frame() const;

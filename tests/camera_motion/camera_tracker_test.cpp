@@ -49,7 +49,7 @@ struct Drive : StageFilm {
     CameraStep step =
         tracker.track(prev, *cur, seconds, host, objects, camera, estimator, workspace.aligner, workspace.minima);
     tracker.learn_depth(*cur, step, camera, {}, estimator.settings.min_points, setup.noise);
-    tracker.find_fixed_parts(*cur, step, labels, ids, camera, dot::portable_kernels(), dot::Threads{});
+    tracker.find_fixed_parts(*cur, step, labels, ids, {}, camera, dot::portable_kernels(), dot::Threads{});
     const dot::Selector<dot::Pinhole, dot::DepthNoise> select{
         camera, setup.noise, cur->pyramid, cur->inverse_depth().view(), setup.selection, workspace.selection};
     enough = tracker.take_background(*cur, step, select, estimator.settings.min_points);

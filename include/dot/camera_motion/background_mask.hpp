@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "dot/abi.hpp"
 #include "dot/image/image.hpp"
@@ -19,8 +21,16 @@ struct BackgroundMask {
 
   Image<std::uint8_t> pixels;  ///< 255: background, 0: at most `kMargin` rows and columns from an object
 
-  /// @param labels non-zero where objects are.
-  void set(const PaintedImage<std::uint8_t>& labels) {
+  /// @param labels non-zero where objects are. @param others boxes (x, y, width, height) inside the image that are not
+  /// background either.
+  void set(const PaintedImage<std::uint8_t>& labels, const std::vector<std::array<int, 4>>& others = {}) {
+    cover_objects(labels);
+    for (const auto& [left, top, width, height] : others)
+      for (int v = top; v < top + height; ++v) std::fill_n(pixels.row(v) + left, width, std::uint8_t{0});
+  }
+
+ private:
+  void cover_objects(const PaintedImage<std::uint8_t>& labels) {
     const ImageView<const std::uint8_t> image = labels.image().view();
     pixels.resize(image.width, image.height);
     pixels.fill(255);
@@ -30,7 +40,6 @@ struct BackgroundMask {
     for (const auto& box : labels.boxes()) cover(box, image);
   }
 
- private:
   /// Takes a box and its margin out of the background.
   void cover(const std::array<int, 4>& box, ImageView<const std::uint8_t> image) {
     const auto [left, top, width, height] = clip_box(

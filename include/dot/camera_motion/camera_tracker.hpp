@@ -59,10 +59,10 @@ class CameraTracker {
   Matrix6<double> scale_covariance(const CameraStep& step) const;
 
   /// Finds what does not move with the scene. @param step led to `cur`. @param labels non-zero where objects are.
-  /// @param ids which object it is, 0 = none.
+  /// @param ids which object it is, 0 = none. @param others boxes that may show movers, too.
   void find_fixed_parts(const FrameData& cur, const CameraStep& step, const PaintedImage<std::uint8_t>& labels,
-                        const Image<std::uint32_t>& ids, const Camera& camera, const kernel::Kernels& kernels,
-                        const Threads& threads);
+                        const Image<std::uint32_t>& ids, const std::vector<std::array<int, 4>>& others,
+                        const Camera& camera, const kernel::Kernels& kernels, const Threads& threads);
 
   /// Pixels that show something drawn over the image, also on objects.
   const OverlaidPixels& overlaid() const { return fixed_parts_.overlaid(); }

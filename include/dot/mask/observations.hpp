@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -10,6 +12,7 @@
 #include "dot/containers/recycling_list.hpp"
 #include "dot/frame/frame.hpp"
 #include "dot/frame/validate.hpp"
+#include "dot/mask/box_silhouette.hpp"
 #include "dot/mask/centre.hpp"
 #include "dot/mask/id_runs.hpp"
 #include "dot/mask/mask.hpp"
@@ -19,13 +22,14 @@ DOT_BEGIN_NAMESPACE
 
 /// An instance in one frame, found by a network or discovered by its motion.
 struct Observation {
-  std::uint32_t instance_id = 0;                     ///< the network's, see Instance
-  Mask mask;                                         ///< its pixels in the frame
-  std::int32_t class_id = -1;                        ///< the network's, -1 = unknown
-  float score = 0;                                   ///< the network's
-  bool always_dynamic = false;                       ///< flagged by the caller
-  bool discovered = false;                           ///< found by its motion
-  bool assigned = false;                             ///< it belongs to a track
+  std::uint32_t instance_id = 0;  ///< the network's, see Instance
+  Mask mask;                      ///< its pixels in the frame
+  std::int32_t class_id = -1;     ///< the network's, -1 = unknown
+  float score = 0;                ///< the network's
+  bool always_dynamic = false;    ///< flagged by the caller
+  bool discovered = false;        ///< found by its motion
+  bool assigned = false;          ///< it belongs to a track
+  std::array<int, 4> cut_from{};  ///< box that the mask was cut from, see BoxSilhouette; 0: it was not
   Vector3<double> centre = Vector3<double>::Zero();  ///< of the mask at its median depth, metres; zero: no depth
 
   /// Of `centre`, 1/m; 0: no depth.
@@ -90,7 +94,8 @@ class Observations {
   /// Adds the instances of a frame's segmentation, in whichever form it is given. Pixels that several masks of a list
   /// share go to the object whose depth they have. Where the depth does not tell, they go to the mask that lies inside
   /// the other, unless that has the lower score, and of two masks of one object to that of the higher score. A mask
-  /// that loses nearly all in this way is dropped. Call `count` with the same masks before.
+  /// that loses nearly all in this way is dropped. Boxes in a list are cut to the objects in them. Call `count` with
+  /// the same masks before.
   template <typename Camera, typename Noise>
   void read(const Masks& masks, const Image<float>& inverse_depth, const Camera& camera, const Noise& noise) {
     if (masks.ids.data != nullptr) {
@@ -121,6 +126,7 @@ class Observations {
                                          [](const Instance& instance) { return instance.mask.data != nullptr; });
     if (!may_overlap) return;  // an id image has one id for each pixel
     drop_covered();
+    cut_boxes(inverse_depth, camera, noise);
     if (!separate_all(inverse_depth, noise)) return;
     list.drop_if([](const Observation& o) { return o.mask.empty(); });
     for (Observation& o : list) o.centre = centre_of(o.mask, inverse_depth, camera, values_);
@@ -142,6 +148,29 @@ class Observations {
     for (std::size_t i = 0; i < list.size(); ++i)
       if (left_[i] < kLeast * list[i].mask.area) list[i].mask.clear();
     list.drop_if([](const Observation& o) { return o.mask.empty(); });
+  }
+
+  /// Cuts each box to the object in it.
+  template <typename Camera, typename Noise>
+  void cut_boxes(const Image<float>& inverse_depth, const Camera& camera, const Noise& noise) {
+    for (Observation& o : list)
+      if (BoxSilhouette::is_box(o.mask)) o.cut_from = o.mask.box();
+    for (Observation& o : list) {
+      if (o.cut_from[2] == 0) continue;
+      const auto claimed = [&](int u, int v) {
+        return std::any_of(list.begin(), list.end(), [&](const Observation& other) {
+          const auto [x, y, width, height] = other.cut_from;
+          return &other != &o && (other.mask.at(u, v) || (u >= x && v >= y && u < x + width && v < y + height));
+        });
+      };
+      if (silhouette_.cut(inverse_depth, camera, noise, claimed, o.mask)) {
+        o.centre = centre_of(o.mask, inverse_depth, camera, values_);
+        continue;
+      }
+      uncut_.push_back(&o);
+    }
+    for (Observation* o : uncut_) o->cut_from = {};
+    uncut_.clear();
   }
 
   template <typename Noise>
@@ -171,6 +200,8 @@ class Observations {
   static constexpr double kLeast = 0.5;     ///< share of a mask that the others must leave, else it shows nothing new
 
   IdRuns runs_;
+  BoxSilhouette silhouette_;
+  std::vector<Observation*> uncut_;  ///< boxes that stay as they are
   Mask scratch_;
   std::vector<float> values_;
   std::vector<int> left_;  ///< pixels of each mask that those to which it gives way do not show

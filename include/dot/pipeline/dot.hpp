@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <type_traits>
@@ -144,6 +145,7 @@ class Dot {
   Discovery<Camera, Noise> discovery_;
   Image<std::uint8_t> explained_;  ///< explanation of each pixel, for the discovery
   Observations observations_;
+  std::vector<std::array<int, 4>> boxes_of_movers_;  ///< that were cut to silhouettes, in this frame
   TracksT tracks_;
   Labeller<Camera, Noise> labeller_;
   LateMasks<Camera, Classifier, Noise, Aligner> late_masks_;

@@ -216,9 +216,11 @@ Matrix6<double> CameraTracker<Camera, Noise, Aligner>::scale_covariance(const Ca
 template <typename Camera, typename Noise, typename Aligner>
 void CameraTracker<Camera, Noise, Aligner>::find_fixed_parts(const FrameData& cur, const CameraStep& step,
                                                              const PaintedImage<std::uint8_t>& labels,
-                                                             const Image<std::uint32_t>& ids, const Camera& camera,
-                                                             const kernel::Kernels& kernels, const Threads& threads) {
-  mask_.set(labels);
+                                                             const Image<std::uint32_t>& ids,
+                                                             const std::vector<std::array<int, 4>>& others,
+                                                             const Camera& camera, const kernel::Kernels& kernels,
+                                                             const Threads& threads) {
+  mask_.set(labels, others);
   held_ = fixed_parts_.update(cur, mask_.pixels, ids, step, camera, kernels, threads);
   fixed_parts_.exclude(mask_.pixels);
 }

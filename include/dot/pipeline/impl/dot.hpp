@@ -206,7 +206,13 @@ void Dot<Camera, Classifier, Noise, Aligner>::remember(const CameraStep& camera_
     return at != tracks.end() && (*at)->identity.id == id && (*at)->identity.discovered;
   };
   if (options_.discover_unknown) discovery_.remember(labeller_.ids(), is_discovered, cur.timestamp);
-  camera_tracker_.find_fixed_parts(cur, camera_step, labeller_.labels(), labeller_.ids(), camera_, kernels(), threads);
+  // What was cut off a mover's box may still be the mover's: the camera must not follow it.
+  boxes_of_movers_.clear();
+  for (const Track* t : tracks)
+    if (t->observed && t->observed->cut_from[2] > 0 && t->belief.state == State::Moving)
+      boxes_of_movers_.push_back(t->observed->cut_from);
+  camera_tracker_.find_fixed_parts(cur, camera_step, labeller_.labels(), labeller_.ids(), boxes_of_movers_, camera_,
+                                   kernels(), threads);
   const Setup setup = this->setup();
   threads.run(1 + static_cast<int>(tracks.size()), [&](int thread, int i) {
     auto& worker = tracks_.workers()[static_cast<std::size_t>(thread)];

@@ -34,6 +34,10 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
   bias          disparities wrong by up to a pixel at the borders, as from a stereo pair calibrated badly
   lidar64, lidar32, lidar16
                 depth of a lidar of so many beams, 0.3 m above and 0.3 m behind the camera, with noise of 2 cm
+  tof60         depth of a time-of-flight camera of 60x45 pixels that reaches 8 m, 5 cm beside the camera: the mean of
+                what each pixel sees, with an error of 1 %, at one pixel of the image
+  flash60       the same, up to 100 m
+  mappoints     the 300 map points that a SLAM host sees, on what stands: errors of half a pixel of disparity that stay
   holes50       half of the depth missing, in patches
   thin50        half of the depth missing, here and there
   edges         depth at strong gradients of the image alone
@@ -49,10 +53,11 @@ import sys
 import cv2
 import numpy as np
 
+import depth_sensors
+
 IMAGES = ("rgb", "depth", "depth_true", "instance", "masks")
 POSES = (("poses.txt", 0), ("object_poses.txt", 2))  # and the columns before the pose
 
-NETWORKS = ("scale2", "objects5")
 NOISE = {"noise": (1, 8), "grain": (1, 25), "dark": (0.25, 1.5)}  # gain, and sigma in grey values
 
 
@@ -71,75 +76,6 @@ def biased(depth, focal_baseline):
     disparity = focal_baseline * 256 / np.maximum(depth, 1) + 0.6 * np.sin(2.4 * u + 0.4) + 0.2 * v - 0.1
     changed = np.clip(focal_baseline * 256 / np.maximum(disparity, 0.1), 1, 65535)
     return np.where(depth > 0, np.round(changed), 0).astype(depth.dtype)
-
-
-# Elevations of the beams, degrees: the highest, and the step from beam to beam. All turn in steps of 0.2 degrees.
-BEAMS = {"lidar64": (2.0, 0.43, 64), "lidar32": (10.67, 1.33, 32), "lidar16": (15.0, 2.0, 16)}
-AZIMUTH = np.radians(0.2)
-MOUNT = np.array([0, 0.3, 0.3])  # from the lidar's axes to the camera's: x right, y down, z forward
-
-
-def scanned(depth, intrinsics, kind, random):
-    """What a lidar measures of the surfaces that the camera sees, in 1/256 m at the camera's pixels.
-
-    It looks past objects from its own place. What it sees there, the camera does not: that surface is continued from
-    the farther one of its neighbours along the beam.
-    """
-    fx, fy, cx, cy = intrinsics[:4]
-    v, u = np.nonzero(depth)
-    z = depth[v, u] / 256.0
-    x, y, z = (u - cx) / fx * z, (v - cy) / fy * z + MOUNT[1], z + MOUNT[2]
-    elevation, azimuth = np.degrees(np.arctan2(-y, np.hypot(x, z))), np.arctan2(x, z)
-    distance = np.sqrt(x * x + y * y + z * z)
-    highest, step, count = BEAMS[kind]
-    columns = np.round(azimuth / AZIMUTH).astype(int)
-    first = columns.min()
-    ranges = np.full((count, columns.max() - first + 1), np.inf)
-    beam = np.round((highest - elevation) / step).astype(int)
-    on_beam = np.abs(highest - beam * step - elevation) < 0.6 * np.degrees(1 / fy)  # half a pixel and a little more
-    on_beam &= (beam >= 0) & (beam < count)
-    np.minimum.at(ranges, (beam[on_beam], columns[on_beam] - first), distance[on_beam])
-    for row in ranges:
-        seen = np.flatnonzero(np.isfinite(row))
-        for left, right in zip(seen[:-1], seen[1:]):
-            row[left + 1 : right] = max(row[left], row[right])
-    i, j = np.nonzero(np.isfinite(ranges) & (ranges < 100))
-    r = ranges[i, j] + random.normal(0, 0.02, len(i))
-    e, a = np.radians(highest - i * step), (j + first) * AZIMUTH
-    x, y, z = r * np.cos(e) * np.sin(a), -r * np.sin(e) - MOUNT[1], r * np.cos(e) * np.cos(a) - MOUNT[2]
-    u, v = np.round(fx * x / z + cx).astype(int), np.round(fy * y / z + cy).astype(int)
-    inside = (z > 0.5) & (u >= 0) & (v >= 0) & (u < depth.shape[1]) & (v < depth.shape[0])
-    out = np.zeros(depth.shape, depth.dtype)
-    far_to_near = np.argsort(-z[inside])  # where two points fall on a pixel, the nearer one stays
-    out[v[inside][far_to_near], u[inside][far_to_near]] = np.round(256 * z[inside][far_to_near])
-    return out
-
-
-def with_holes(depth, random):
-    """Half of it, in patches of about 8 pixels."""
-    height, width = depth.shape
-    noise = random.random((height // 8 + 1, width // 8 + 1)).astype(np.float32)
-    patches = cv2.resize(noise, (width, height), interpolation=cv2.INTER_LINEAR)
-    return np.where(patches < np.median(patches), 0, depth).astype(depth.dtype)
-
-
-def at_edges(depth, image):
-    """Where the image's gradient is among the strongest 15 %, a pixel to each side."""
-    grey = cv2.GaussianBlur(image if image.ndim == 2 else cv2.cvtColor(image, cv2.COLOR_BGR2GRAY), (0, 0), 1)
-    gradient = np.hypot(cv2.Sobel(grey, cv2.CV_32F, 1, 0), cv2.Sobel(grey, cv2.CV_32F, 0, 1))
-    strong = (gradient > np.percentile(gradient, 85)).astype(np.uint8)
-    return np.where(cv2.dilate(strong, np.ones((3, 3))) > 0, depth, 0).astype(depth.dtype)
-
-
-def rescaled(depth, kind, frame, sequence):
-    """The depth of a frame by a network."""
-    factor = np.exp(np.random.default_rng(frame).normal(0, 0.02))
-    if kind == "objects5":
-        instance = cv2.imread(f"{sequence}/instance/{frame:06d}.png", cv2.IMREAD_UNCHANGED)
-        factor = np.ones(depth.shape)
-        for i in np.unique(instance[instance > 0]):
-            factor[instance == i] = np.exp(np.random.default_rng(int(i)).normal(0, 0.05))
-    return np.where(depth > 0, np.clip(np.round(depth * factor), 1, 65535), 0).astype(depth.dtype)
 
 
 def widened(ids, depth):
@@ -202,19 +138,6 @@ def rolled(image, folder, frame, intrinsics):
 def shaken(pose, R):
     T = np.array(pose, float).reshape(3, 4)
     return [f"{v:.9g}" for v in np.hstack([T[:, :3] @ R.T, T[:, 3:]]).ravel()]
-
-
-def thinned(depth, kind, frame, sequence, intrinsics, random):
-    """The depth of a frame by another sensor."""
-    if kind in BEAMS:
-        true = cv2.imread(f"{sequence}/depth_true/{frame:06d}.png", cv2.IMREAD_UNCHANGED)
-        return scanned(depth if true is None else true, intrinsics, kind, random)
-    if kind == "holes50":
-        return with_holes(depth, random)
-    if kind == "thin50":
-        return np.where(random.random(depth.shape) < 0.5, 0, depth).astype(depth.dtype)
-    [image] = [path for path in glob.glob(f"{sequence}/rgb/{frame:06d}.*")]
-    return at_edges(depth, cv2.imread(image))
 
 
 def with_bonnet(image, folder):
@@ -321,8 +244,7 @@ def camera(line, kind):
         fps /= 2
     if kind == "twice":
         fps *= 2
-    if kind in BEAMS or kind in NETWORKS:
-        baseline = 0
+    baseline, _ = depth_sensors.described(kind, baseline, "")
     return f"{fx} {fy} {cx} {cy} {int(width)} {int(height)} {baseline} {fps}\n"
 
 
@@ -350,6 +272,8 @@ def make(kind, out, sequence):
         intrinsics = [float(v) for v in f.readline().split()]
     copies = 2 if kind == "twice" else 1
     number = {frame: range(copies * i, copies * (i + 1)) for i, frame in enumerate(order(frames, kind))}
+    if kind in depth_sensors.KINDS:
+        sensor = depth_sensors.sensor(kind, sequence, frames, intrinsics, random)
     for name in IMAGES:
         for path in sorted(glob.glob(f"{sequence}/{name}/*")):
             stem, suffix = os.path.splitext(os.path.basename(path))
@@ -365,10 +289,8 @@ def make(kind, out, sequence):
                 image = cv2.imread(path, cv2.IMREAD_UNCHANGED)
                 if kind == "stutter" and name in ("rgb", "depth") and int(stem) % 4 == 3:
                     image = cv2.imread(f"{sequence}/{name}/{int(stem) - 1:06d}{suffix}", cv2.IMREAD_UNCHANGED)
-                if name == "depth" and kind in (*BEAMS, "holes50", "thin50", "edges"):
-                    image = thinned(image, kind, int(stem), sequence, intrinsics, random)
-                elif name == "depth" and kind in NETWORKS:
-                    image = rescaled(image, kind, int(stem), sequence)
+                if name == "depth" and kind in depth_sensors.KINDS:
+                    image = sensor(image, int(stem))
                 elif kind == "wide" and name == "masks":
                     image = widened(image, cv2.imread(f"{sequence}/depth/{stem}.png", cv2.IMREAD_UNCHANGED))
                 elif kind in ("bands", "overlay") and name == "rgb":
@@ -384,8 +306,7 @@ def make(kind, out, sequence):
                 cv2.imwrite(f"{target}.png", np.ascontiguousarray(image), [cv2.IMWRITE_PNG_COMPRESSION, 1])
     with open(f"{sequence}/intrinsics.txt") as f, open(f"{folder}/intrinsics.txt", "w") as g:
         g.write(camera(f.readline(), kind))
-        rest = f.read()
-        g.write("depth lidar\n" if kind in BEAMS else "depth unknown\n" if kind in NETWORKS else rest)
+        g.write(depth_sensors.described(kind, 0, f.read())[1])
     with open(f"{sequence}/objects.csv") as f, open(f"{folder}/objects.csv", "w") as g:
         g.write(f.readline())
         rows = [line.split(",", 1) for line in f]
@@ -415,9 +336,8 @@ def make(kind, out, sequence):
 
 def main():
     kinds = "half third mirror crop slow twice reverse late skip1 skip2 skip3 bands flicker noise grain dark shake rolling"
-    kinds += " bonnet caption letterbox tilt stutter overlay near bias lidar64 lidar32 lidar16 holes50 thin50 edges wide"
-    kinds += " " + " ".join(NETWORKS)
-    if len(sys.argv) < 4 or sys.argv[1] not in kinds.split():
+    kinds += " bonnet caption letterbox tilt stutter overlay near bias wide"
+    if len(sys.argv) < 4 or sys.argv[1] not in (*kinds.split(), *depth_sensors.KINDS):
         sys.exit(__doc__)
     for sequence in sys.argv[3:]:
         make(sys.argv[1], sys.argv[2], sequence)

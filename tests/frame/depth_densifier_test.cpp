@@ -43,9 +43,10 @@ Image<float> scanned(const Surface& surface, int rows, int columns, int first_ro
 /// @param relative_sigma of a measurement, share of its inverse depth.
 Image<float> densified(const Image<float>& sparse, double relative_sigma = 0.01) {
   DepthDensifier densify;
+  dot::DepthMeasurements measured;
   Image<float> dense;
   densify(
-      sparse, DepthDensifier::density(sparse), [=](double q) { return relative_sigma * q; }, dense);
+      sparse, DepthDensifier::density(sparse), [=](double q) { return relative_sigma * q; }, measured, dense);
   return dense;
 }
 
@@ -54,6 +55,16 @@ double filled_share(const Image<float>& q) {
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) n += q(x, y) > 0;
   return static_cast<double>(n) / (kWidth * kHeight);
+}
+
+/// Beams of a lidar that is turned against the camera.
+Image<float> scanned_aslant(const Surface& surface, int rows, int columns) {
+  Image<float> q(kWidth, kHeight);
+  q.fill(0);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; x += columns)
+      if ((y + x / 3) % rows == 1) q(x, y) = surface(x, y);
+  return q;
 }
 
 TEST(DepthDensifier, FillsAPlane) {
@@ -68,6 +79,11 @@ TEST(DepthDensifier, FillsAPlane) {
           ASSERT_NEAR(dense(x, y), road(x, y), 0.02f * road(x, y)) << x << ' ' << y;
         }
   }
+}
+
+// Beams far apart are no points far apart, whatever their direction.
+TEST(DepthDensifier, FillsBetweenBeamsThatAreAslant) {
+  EXPECT_GT(filled_share(densified(scanned_aslant(road, 20, 3))), 0.6);
 }
 
 TEST(DepthDensifier, DoesNotBridgeAnEdge) {
@@ -119,13 +135,42 @@ TEST(DepthDensifier, AllowsForTheNoiseOfItsDepth) {
   EXPECT_LT(filled_share(densified(sparse, 0.005)), 0.2) << "such a surface is no plane to exact depth";
 }
 
-TEST(DepthDensifier, KeepsWhatStandsAlone) {
+TEST(DepthDensifier, AMeasurementAloneIsTheDepthAboutIt) {
   Image<float> sparse(kWidth, kHeight);
   sparse.fill(0);
   sparse(30, 30) = 0.5f;
   const Image<float> dense = densified(sparse);
   EXPECT_EQ(dense(30, 30), 0.5f);
-  EXPECT_NEAR(filled_share(dense), 1.0 / (kWidth * kHeight), 1e-9);
+  EXPECT_EQ(dense(27, 33), 0.5f);
+  EXPECT_NEAR(filled_share(dense), 49.0 / (kWidth * kHeight), 1e-9);
+}
+
+// Points of a SLAM host before a box, and none on it: planes from one side to the other would hide it.
+TEST(DepthDensifier, FillsNothingBetweenMeasurementsFarApart) {
+  Image<float> sparse(kWidth, kHeight);
+  sparse.fill(0);
+  for (int y = 5; y < kHeight; y += 12)
+    for (int x = 5; x < kWidth; x += 12) sparse(x, y) = in_box(x, y) ? 0 : kFar;
+  const Image<float> dense = densified(sparse);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const bool inside = x >= 54 && x < 106 && y >= 44 && y < 86;
+      ASSERT_FALSE(inside && dense(x, y) > 0) << x << ' ' << y;
+    }
+  EXPECT_NEAR(filled_share(dense), 49.0 / 144, 0.1);
+}
+
+TEST(DepthDensifier, TheNearerOfTwoMeasurementsCounts) {
+  Image<float> sparse(kWidth, kHeight);
+  sparse.fill(0);
+  for (int y = 5; y < kHeight; y += 12)
+    for (int x = 5; x < kWidth; x += 12) sparse(x, y) = kFar;
+  sparse(30, 30) = kNear;
+  sparse(34, 30) = kFar;
+  const Image<float> dense = densified(sparse);
+  EXPECT_EQ(dense(31, 31), kNear);
+  EXPECT_EQ(dense(33, 29), kFar);
+  EXPECT_EQ(dense(34, 30), kFar);
 }
 
 TEST(Density, IsOfWhatIsAboutTheMeasurements) {

@@ -68,9 +68,9 @@ struct Selected {
   ObjectPoints summary;
   PointSet points;
 
-  /// @param spoil changes what is seen.
+  /// @param spoil changes what is seen. @param measured what the depth was interpolated from, if it was.
   Selected(const Scene& scene, const Degradation& degradation, double sigma_px = 0.1, int budget = 600,
-           const std::function<void(Rendering&)>& spoil = {}) {
+           const std::function<void(Rendering&)>& spoil = {}, const dot::DepthMeasurements& measured = {}) {
     const Pinhole camera(small_camera());
     truth = scene.render(camera, SE3d{});
     Rendering seen = degraded(truth, degradation);
@@ -82,7 +82,8 @@ struct Selected {
     dot::SelectionSettings settings;
     settings.object_points = budget;
     dot::SelectionWorkspace workspace;
-    const dot::Selector<Pinhole, dot::DepthNoise> selector{camera, noise, pyramid, q.view(), settings, workspace};
+    const dot::Selector<Pinhole, dot::DepthNoise> selector{
+        camera, noise, pyramid, q.view(), settings, workspace, dot::portable_kernels(), nullptr, &measured};
     const Crop crop(seen.ids, car);
     summary = select_object(selector, crop.box, crop.mask.view(), crop.area, points);
   }
@@ -104,6 +105,25 @@ TEST(SelectObject, TakesTheObjectInsideItsBorder) {
   for (std::size_t i = 0; i < s.points.u.size(); ++i) EXPECT_FALSE(s.near(i, 0, 1)) << s.x(i) << ", " << s.y(i);
   ASSERT_EQ(s.points.levels, 3);
   for (std::size_t l = 0; l < 3; ++l) EXPECT_EQ(s.points.intensity[l].size(), s.points.u.size());
+}
+
+/// Measurements of an object: `count` pixels about the middle of its mask, all of one inverse depth.
+dot::DepthMeasurements measured_on_car(const Scene& scene, int count, float q) {
+  const Crop crop(scene.render(Pinhole(small_camera()), SE3d{}).ids, car);
+  Image<float> sparse(small_camera().width, small_camera().height);
+  sparse.fill(0);
+  for (int i = 0; i < count; ++i)
+    sparse(crop.box.x + crop.box.width / 2 + i - count / 2, crop.box.y + crop.box.height / 2) = q;
+  dot::DepthMeasurements measured;
+  measured.list(sparse);
+  return measured;
+}
+
+// The depth in its mask may have been interpolated from its surroundings.
+TEST(SelectObject, GivesNoPointsWithoutMeasurementsOfItsOwn) {
+  const float q = Selected(street(), {}).summary.median_q;
+  EXPECT_EQ(Selected(street(), {}, 0.1, 600, {}, measured_on_car(street(), 5, q)).points.size(), 0);
+  EXPECT_GT(Selected(street(), {}, 0.1, 600, {}, measured_on_car(street(), 6, q)).points.size(), 200);
 }
 
 TEST(SelectObject, SaysHowMuchItSaw) {

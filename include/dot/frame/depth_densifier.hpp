@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dot/abi.hpp"
+#include "dot/frame/depth_measurements.hpp"
 #include "dot/image/image.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -17,6 +18,10 @@ DOT_BEGIN_NAMESPACE
 /// the pixels. The pixels of each block of 2x2 get the values of the plane q = a + b u + c v through the measurements
 /// around the block. Pixels between two surfaces get none, because the measurements are not on one plane. Pixels
 /// outside all measurements get none.
+///
+/// Measurements that are far apart, such as the map points of a SLAM host or the pixels of a small time-of-flight
+/// camera, say little of what lies between them: many of the planes would go through several surfaces. Each of them is
+/// the depth of a few pixels about it instead.
 class DepthDensifier {
  public:
   static constexpr double kSparse = 0.25;  ///< `density` below which an image is sparse
@@ -44,19 +49,20 @@ class DepthDensifier {
     return looked_at > 0 ? static_cast<double>(measured) / looked_at : 0;
   }
 
-  /// @param sparse 1/m, <= 0 = not measured. @param sigma of one measurement q, 1/m: sigma(q). @param dense of the same
-  /// size, is overwritten.
+  /// @param sparse 1/m, <= 0 = not measured. @param sigma of one measurement q, 1/m: sigma(q). @param measured gets the
+  /// measurements. @param dense of the same size, is overwritten.
   template <typename Sigma>
-  void operator()(const Image<float>& sparse, double density, Sigma&& sigma, Image<float>& dense) {
+  void operator()(const Image<float>& sparse, double density, Sigma&& sigma, DepthMeasurements& measured,
+                  Image<float>& dense) {
     const int width = sparse.width(), height = sparse.height();
-    list_measured(sparse);
-    choose_window(sparse, density);
+    measured.list(sparse);
     dense.resize(width, height);
+    if (!choose_window(sparse, density, measured)) return spread(measured, dense);
     columns_.assign(static_cast<std::size_t>((width + 1) / 2), Sums{});
     const int rows = (height + 1) / 2;
     for (int row = -ry_; row < rows; ++row) {
-      if (row + ry_ < rows) add_row(row + ry_, 1);
-      if (row - ry_ - 1 >= 0) add_row(row - ry_ - 1, -1);
+      if (row + ry_ < rows) add_row(measured, row + ry_, 1);
+      if (row - ry_ - 1 >= 0) add_row(measured, row - ry_ - 1, -1);
       if (row >= 0) fit_row(sparse, row, sigma, dense);
     }
   }
@@ -69,11 +75,8 @@ class DepthDensifier {
   static constexpr double kOffCentre = 0.6;   ///< largest offset of their middle, share of the window's half size
   static constexpr double kSlopePrior = 0.1;  ///< square pixels; keeps the plane through one row from tilting
   static constexpr int kMostReach = 20;       ///< blocks
-
-  struct Measurement {
-    int x, y;
-    float q;
-  };
+  static constexpr double kSurface = 20;      ///< pixels: a wider window seldom shows one surface
+  static constexpr int kPatch = 3;            ///< pixels on each side of a measurement that is alone
 
   /// Sums over measurements (u, v, q).
   struct Sums {
@@ -100,14 +103,16 @@ class DepthDensifier {
 
   /// Chooses a window with as many measurements along its rows as along its columns. A lidar's beams are farther apart
   /// than its azimuth steps.
-  void choose_window(const Image<float>& q, double density) {
+  /// @return whether the window is small enough for one surface. That of a lidar may be wider: along its beams the
+  /// measurements are close together, and show where a surface ends.
+  bool choose_window(const Image<float>& q, double density, const DepthMeasurements& measured) {
     // How often the neighbour in the row, or in the column, is measured within a few pixels.
     constexpr int kNear = 8;
     constexpr std::size_t kPlaces = 2000;
-    const std::size_t step = std::max<std::size_t>(1, measured_.size() / kPlaces);
+    const std::size_t step = std::max<std::size_t>(1, measured.all.size() / kPlaces);
     double along = 0, across = 0;
-    for (std::size_t i = 0; i < measured_.size(); i += step) {
-      const int x = measured_[i].x, y = measured_[i].y;
+    for (std::size_t i = 0; i < measured.all.size(); i += step) {
+      const int x = measured.all[i].x, y = measured.all[i].y;
       if (x + kNear >= q.width() || y + kNear >= q.height()) continue;
       for (int d = 1; d <= kNear; ++d) along += q(x + d, y) > 0, across += q(x, y + d) > 0;
     }
@@ -118,24 +123,41 @@ class DepthDensifier {
     };
     rx_ = half(side / std::sqrt(ratio));
     ry_ = half(side * std::sqrt(ratio));
+    return side <= kSurface || are_on_lines(q, density, measured);
   }
 
-  void list_measured(const Image<float>& q) {
-    measured_.clear();
-    begin_.assign(1, 0);
-    for (int y = 0; y < q.height(); ++y) {
-      const float* row = q.row(y);
-      for (int x = 0; x < q.width(); ++x)
-        if (row[x] > 0) measured_.push_back({x, y, row[x]});
-      begin_.push_back(measured_.size());
-    }
+  /// Whether nearly all measurements have a neighbour that is less than half as far away as if they were spread evenly.
+  static bool are_on_lines(const Image<float>& q, double density, const DepthMeasurements& measured) {
+    constexpr double kNearlyAll = 0.8;
+    constexpr std::size_t kPlaces = 1000;
+    const int reach = static_cast<int>(0.5 / std::sqrt(density));
+    const auto has_neighbour = [&](const DepthMeasurements::Measurement& m) {
+      for (int y = std::max(m.y - reach, 0); y <= std::min(m.y + reach, q.height() - 1); ++y)
+        for (int x = std::max(m.x - reach, 0); x <= std::min(m.x + reach, q.width() - 1); ++x)
+          if (q(x, y) > 0 && (x != m.x || y != m.y)) return true;
+      return false;
+    };
+    const std::size_t step = std::max<std::size_t>(1, measured.all.size() / kPlaces);
+    int places = 0, beside = 0;
+    for (std::size_t i = 0; i < measured.all.size(); i += step) ++places, beside += has_neighbour(measured.all[i]);
+    return beside >= kNearlyAll * places;
+  }
+
+  /// Gives the pixels about each measurement its depth. Where two are near, the nearer one counts.
+  static void spread(const DepthMeasurements& measured, Image<float>& dense) {
+    dense.fill(0);
+    for (int reach = kPatch; reach >= 0; --reach)
+      for (const DepthMeasurements::Measurement& m : measured.all)
+        for (int y = std::max(m.y - reach, 0); y <= std::min(m.y + reach, dense.height() - 1); ++y)
+          for (int x = std::max(m.x - reach, 0); x <= std::min(m.x + reach, dense.width() - 1); ++x) dense(x, y) = m.q;
   }
 
   /// Adds a row of blocks to the sums of the columns.
-  void add_row(int row, double sign) {
-    const std::size_t top = 2 * static_cast<std::size_t>(row), end = std::min(top + 2, begin_.size() - 1);
-    for (std::size_t i = begin_[top]; i < begin_[end]; ++i) {
-      const Measurement& m = measured_[i];
+  void add_row(const DepthMeasurements& measured, int row, double sign) {
+    const std::vector<std::size_t>& begin = measured.begin;
+    const std::size_t top = 2 * static_cast<std::size_t>(row), end = std::min(top + 2, begin.size() - 1);
+    for (std::size_t i = begin[top]; i < begin[end]; ++i) {
+      const DepthMeasurements::Measurement& m = measured.all[i];
       columns_[static_cast<std::size_t>(m.x) / 2].add(m.x, m.y, static_cast<double>(m.q), sign);
     }
   }
@@ -176,10 +198,8 @@ class DepthDensifier {
     return !(variance > most * most);
   }
 
-  int rx_ = 0, ry_ = 0;                ///< half sizes of the window, blocks of 2x2 pixels, without the middle one
-  std::vector<Measurement> measured_;  ///< row by row
-  std::vector<std::size_t> begin_;     ///< of each row in it, and its end
-  std::vector<Sums> columns_;          ///< of each column of blocks, in the rows of the window
+  int rx_ = 0, ry_ = 0;        ///< half sizes of the window, blocks of 2x2 pixels, without the middle one
+  std::vector<Sums> columns_;  ///< of each column of blocks, in the rows of the window
 };
 
 DOT_END_NAMESPACE

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "dot/camera/depth_bias.hpp"
+#include "dot/frame/depth_measurements.hpp"
 #include "dot/image/depth_pyramid.hpp"
 #include "dot/image/pyramid.hpp"
 
@@ -13,12 +14,13 @@ DOT_BEGIN_NAMESPACE
 
 /// The stored data of a frame: its image and its depth, at all levels of the pyramid.
 struct FrameData {
-  std::uint64_t id = 0;  ///< the caller's
-  double timestamp = 0;  ///< seconds
-  Pyramid pyramid;       ///< of the grey image
-  DepthPyramid depth;    ///< 1/m, after `bias` was subtracted
-  DepthBias bias;        ///< that was subtracted from `depth`
-  int repeats = 0;       ///< frames before it, without a gap, that have the same image
+  std::uint64_t id = 0;        ///< the caller's
+  double timestamp = 0;        ///< seconds
+  Pyramid pyramid;             ///< of the grey image
+  DepthPyramid depth;          ///< 1/m, after `bias` was subtracted
+  DepthBias bias;              ///< that was subtracted from `depth`
+  DepthMeasurements measured;  ///< what sparse `depth` was interpolated from
+  int repeats = 0;             ///< frames before it, without a gap, that have the same image
 
   /// Whether the image is that of the frame before because a driver or a host repeated it. Such a frame says nothing
   /// about motion. A longer run comes from a camera that stands and has no noise.

@@ -50,10 +50,10 @@ class FrameStore {
       if (part == 0)
         build_image(input.image, levels, kernels, previous != nullptr, frame.pyramid);
       else if (bias.is_zero())
-        build_depth(measured, noise, width, height, levels, kernels, frame.depth);
+        build_depth(measured, noise, width, height, levels, kernels, frame);
       else
         build_depth(UnbiasedDepthRows(measured, settings.max_depth, bias, depth_rows_, kernels), noise, width, height,
-                    levels, kernels, frame.depth);
+                    levels, kernels, frame);
     });
     if (border_.fill(frame.pyramid.levels[0], frame.depth.levels[0], previous != nullptr))
       build_levels(
@@ -86,17 +86,18 @@ class FrameStore {
   /// Builds the depth pyramid. Sparse depth is interpolated, see DepthDensifier.
   template <typename Rows, typename Noise>
   void build_depth(Rows rows, const Noise& noise, int width, int height, int levels, const kernel::Kernels& kernels,
-                   DepthPyramid& out) {
-    if (!may_be_sparse(rows, width, height)) return out.build(width, height, rows, levels, kernels);
+                   FrameData& frame) {
+    frame.measured.clear();
+    if (!may_be_sparse(rows, width, height)) return frame.depth.build(width, height, rows, levels, kernels);
     sparse_.resize(width, height);
     for (int y = 0; y < height; ++y) rows(y, sparse_.row(y));
     const double density = DepthDensifier::density(sparse_);
     const bool is_sparse = density > 0 && density < DepthDensifier::kSparse;
     const auto sigma = [&noise](double q) { return noise.prior_pixel_sigma(q); };
-    if (is_sparse) densify_(sparse_, density, sigma, dense_);
+    if (is_sparse) densify_(sparse_, density, sigma, frame.measured, dense_);
     const Image<float>& filled = is_sparse ? dense_ : sparse_;
     const auto copy = [&](int y, float* to) { std::copy_n(filled.row(y), width, to); };
-    out.build(width, height, copy, levels, kernels);
+    frame.depth.build(width, height, copy, levels, kernels);
   }
 
   /// Decides by some of the rows. Their distances have no period, because the beams of a lidar have one.

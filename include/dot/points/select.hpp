@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dot/abi.hpp"
+#include "dot/frame/depth_measurements.hpp"
 #include "dot/image/pyramid.hpp"
 #include "dot/kernel/portable_kernels.hpp"
 #include "dot/points/overlaid_pixels.hpp"
@@ -70,6 +71,10 @@ struct Selector {
   SelectionWorkspace& workspace;                        ///< memory
   const kernel::Kernels& kernels = portable_kernels();  ///< for the gradients and planes
   const OverlaidPixels* overlaid = nullptr;             ///< that give an object no points
+  const DepthMeasurements* measurements = nullptr;      ///< what sparse depth was interpolated from
+
+  /// Whether most of the depth was interpolated.
+  bool is_sparse() const { return measurements && measurements->is_sparse(); }
 
   /// Appends points, in the order of the cells.
   void operator()(const SelectionRegion& region, PointSet& points) const {

@@ -17,7 +17,8 @@ Reason ObjectTracker<Camera, Noise, Aligner>::make_reference(const FrameData& fr
                                                              ObjectReference& r) const {
   if (mask.area < selection.min_object_pixels) return Reason::TooFewPixels;
   const Selector<Camera, Noise> select{
-      camera, noise, frame.pyramid, frame.inverse_depth().view(), selection, workspace.selection, kernels, &overlaid};
+      camera,  noise,     frame.pyramid,  frame.inverse_depth().view(), selection, workspace.selection,
+      kernels, &overlaid, &frame.measured};
   const ObjectPoints found =
       select_object(select, {mask.x, mask.y, mask.width(), mask.height()}, mask.pixels.view(), mask.area, r.points);
   // Beyond its range or in the dark a stereo matcher finds little. The few depths that it gives there may be wrong. A

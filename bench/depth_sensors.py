@@ -7,6 +7,8 @@ import glob
 import cv2
 import numpy as np
 
+import depth_cameras
+
 NETWORKS = ("scale2", "objects5")
 MAP_BASELINE = 0.5  # metres: of a SLAM host's triangulation, if the recording has none
 
@@ -203,7 +205,14 @@ def rescaled(depth, kind, frame, sequence):
     return np.where(depth > 0, np.clip(np.round(depth * factor), 1, 65535), 0).astype(depth.dtype)
 
 
-KINDS = (*BEAMS, *FLASHES, "mappoints", "holes50", "thin50", "edges", *NETWORKS)
+KINDS = (*BEAMS, *FLASHES, "mappoints", "holes50", "thin50", "edges", *NETWORKS, *depth_cameras.KINDS)
+
+
+def by_depth_camera(depth, kind, frame, sequence, intrinsics):
+    """The depth of a frame by a camera for rooms."""
+    image, instance = grey(read(sequence, "rgb", frame)), read(sequence, "instance", frame)
+    random = np.random.default_rng(frame)
+    return depth_cameras.measured(kind, depth, image, instance, intrinsics[0], intrinsics[6], random)
 
 
 def sensor(kind, sequence, frames, intrinsics, random):
@@ -226,6 +235,8 @@ def sensor(kind, sequence, frames, intrinsics, random):
         return lambda depth, _: np.where(random.random(depth.shape) < 0.5, 0, depth).astype(depth.dtype)
     if kind == "edges":
         return lambda depth, frame: at_edges(depth, read(sequence, "rgb", frame))
+    if kind in depth_cameras.KINDS:
+        return lambda depth, frame: by_depth_camera(depth, kind, frame, sequence, intrinsics)
     return lambda depth, frame: rescaled(depth, kind, frame, sequence)
 
 
@@ -237,4 +248,6 @@ def described(kind, baseline, lines):
         return 0, "depth unknown\n"
     if kind == "mappoints":
         return baseline or MAP_BASELINE, "depth stereo\n"
+    if kind in depth_cameras.KINDS:
+        return baseline, "depth rgbd\n"
     return baseline, lines

@@ -106,6 +106,31 @@ TEST(Inconsistency, ForgivesOneCell) {
   EXPECT_EQ(c.seeds(0, width), 0);
 }
 
+/// A box in columns 20 to 39 as a time-of-flight camera sees it: the cells about it see the wall as well, and lie
+/// anywhere between.
+CellFrame flying(unsigned seed) {
+  const CellFrame exact = scene(20, 40);
+  Image<float> q = exact.q;
+  dot::test::Random random(seed);
+  for (int y = 9; y < 31; ++y)
+    for (int x = 19; x < 41; ++x)
+      if (exact.q(x, y) == wall) q(x, y) += static_cast<float>(random.uniform()) * (box - wall);
+  CellFrame frame;
+  frame.build(exact.grey, q);
+  return frame;
+}
+
+TEST(Inconsistency, FlyingPixelsOfWhatStandsSayNothing) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    Case c;
+    const CellFrame current = flying(2 * seed), before = flying(2 * seed + 1);
+    c.compare_older(current, before);
+    c.compare(current, before);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) EXPECT_FALSE(c.out.depth(x, y)) << x << ' ' << y;
+  }
+}
+
 TEST(Inconsistency, NearerThingEntersFreeSpace) {
   Case c;
   c.compare(scene(20, 40, 0.12f), scene(20, 40));

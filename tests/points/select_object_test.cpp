@@ -10,6 +10,7 @@
 #include <set>
 
 #include "dot/camera/depth_noise.hpp"
+#include "support/depth_cameras.hpp"
 #include "support/random.hpp"
 #include "support/synthetic_scene.hpp"
 
@@ -174,6 +175,50 @@ TEST(SelectObject, KeepsAwayFromAnOccluder) {
   }
   EXPECT_GT(left, 20);
   EXPECT_GT(right, 20);
+}
+
+/// Points with a depth that no surface within three pixels has: beyond five of their own sigma and 3 cm. A contour
+/// moves with what is nearer, so beside it that depth is right.
+int depths_of_nothing(const Selected& s) {
+  int found = 0;
+  for (std::size_t i = 0; i < s.points.u.size(); ++i) {
+    bool right = false;
+    for (int y = s.y(i) - 3; y <= s.y(i) + 3; ++y)
+      for (int x = s.x(i) - 3; x <= s.x(i) + 3; ++x) {
+        const float z = s.truth.depth(x, y), error = std::abs(s.points.q[i] - 1 / z);
+        right |= error <= 5 * s.points.sigma_q[i] || error * z * z <= 0.03f;
+      }
+    found += !right;
+  }
+  return found;
+}
+
+// A mask that is too large contains the edge of the object, which has the strongest gradients. There a time-of-flight
+// camera measures depths between both surfaces, and a structured-light camera the object's, beyond its border.
+TEST(SelectObject, TakesNoDepthBetweenTwoSurfaces) {
+  Degradation leaking;
+  leaking.leak = 3;
+  for (const double z : {3.4, 4.4})
+    for (const int reach : {1, 2}) {
+      Random random(11);
+      const Selected s(street(z), leaking, 0.1, 600, [&](Rendering& r) { see_by_time_of_flight(r, random, reach); });
+      EXPECT_GT(s.points.size(), 200);
+      EXPECT_LT(depths_of_nothing(s), 0.02 * s.points.size()) << z << ", " << reach;
+    }
+}
+
+TEST(SelectObject, TakesNoPointBesideAFattenedEdge) {
+  Scene scene = street();
+  Body post = box(pillar, {0.1, 2, 0.1}, 80, 0.1, 0.6);
+  post.T_world_body.t = {0.25, 0, 1.8};
+  scene.bodies.push_back(post);
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    Random random(seed);
+    const Selected s(scene, {}, 0.1, 600, [&](Rendering& r) { see_by_structured_light(r, random, 200 * 0.075); });
+    EXPECT_GT(s.points.size(), 100);
+    EXPECT_EQ(depths_of_nothing(s), 0) << seed;
+    for (std::size_t i = 0; i < s.points.u.size(); ++i) EXPECT_FALSE(s.near(i, pillar, 4)) << s.x(i) << ", " << s.y(i);
+  }
 }
 
 TEST(SelectObject, KeepsTheReliefOfANearObject) {

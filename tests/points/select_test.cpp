@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "dot/camera/depth_noise.hpp"
+#include "support/depth_cameras.hpp"
 #include "support/synthetic_scene.hpp"
 
 namespace {
@@ -112,6 +113,29 @@ TEST(Selector, StaysInTheBoxAndWhereItMay) {
   }
   EXPECT_EQ(f.select(whole, 400, [](int, int) { return false; }).size(), 0);
   EXPECT_EQ(f.select({318, 10, 2, 30}, 400).size(), 0);  // at the border alone
+}
+
+// Of what has no mask the edges are not known beforehand.
+TEST(Selector, TakesNoDepthBetweenTwoSurfaces) {
+  Fixture f;
+  Body post = box(0, {0.1, 2, 0.1}, 80, 0.1, 0.6);
+  post.T_world_body.t = {0.25, 0, 1.8};
+  f.view = Scene{{hopper(21), post}}.render(f.camera, SE3d{});
+  const Image<float> exact = f.view.inverse_depth();
+  Random random(3);
+  see_by_time_of_flight(f.view, random);
+  f.use_view();
+  const PointSet points = f.select(whole, 2000);
+  EXPECT_GT(points.size(), 1000);
+  int wrong = 0;
+  for (std::size_t i = 0; i < points.u.size(); ++i) {
+    float error = 1;  // at the edge a point may have the depth of either surface
+    for (int y = row(points, i) - 3; y <= row(points, i) + 3; ++y)
+      for (int x = column(points, i) - 3; x <= column(points, i) + 3; ++x)
+        if (exact.contains(x, y)) error = std::min(error, std::abs(points.q[i] - exact(x, y)));
+    wrong += error > 0.02f && error > 3 * points.sigma_q[i];  // 1/m: the post is at 0.59, the walls are at 0.17 to 0.33
+  }
+  EXPECT_LT(wrong, 4);
 }
 
 TEST(Selector, TakesNothingWithoutGradient) {

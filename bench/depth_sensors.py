@@ -210,7 +210,8 @@ KINDS = (*BEAMS, *FLASHES, "mappoints", "holes50", "thin50", "edges", *NETWORKS,
 
 def by_depth_camera(depth, kind, frame, sequence, intrinsics):
     """The depth of a frame by a camera for rooms."""
-    image, instance = grey(read(sequence, "rgb", frame)), read(sequence, "instance", frame)
+    [path] = glob.glob(f"{sequence}/rgb/{frame:06d}.*")
+    image, instance = cv2.imread(path, cv2.IMREAD_GRAYSCALE), read(sequence, "instance", frame)
     random = np.random.default_rng(frame)
     return depth_cameras.measured(kind, depth, image, instance, intrinsics[0], intrinsics[6], random)
 

@@ -17,16 +17,16 @@ TEST(DepthMeasurements, AreListedRowByRow) {
   sparse(2, 1) = 0.25f;
   sparse(7, 3) = 1;
   dot::DepthMeasurements measured;
-  EXPECT_FALSE(measured.is_sparse());
+  EXPECT_FALSE(measured.far_apart());
   measured.list(sparse);
-  EXPECT_TRUE(measured.is_sparse());
+  EXPECT_TRUE(measured.far_apart());
   ASSERT_EQ(measured.all.size(), 3U);
   EXPECT_EQ(measured.all[0].x, 2);
   EXPECT_EQ(measured.all[1].x, 5);
   EXPECT_EQ(measured.all[2].y, 3);
   EXPECT_EQ(measured.begin, (std::vector<std::size_t>{0, 0, 2, 2, 3}));
   measured.clear();
-  EXPECT_FALSE(measured.is_sparse());
+  EXPECT_FALSE(measured.far_apart());
 }
 
 TEST(DepthMeasurements, AreCountedInAMask) {

@@ -69,7 +69,7 @@ struct Selected {
   ObjectPoints summary;
   PointSet points;
 
-  /// @param spoil changes what is seen. @param measured what the depth was interpolated from, if it was.
+  /// @param spoil changes what is seen. @param measured the measurements of depth, if they are far apart.
   Selected(const Scene& scene, const Degradation& degradation, double sigma_px = 0.1, int budget = 600,
            const std::function<void(Rendering&)>& spoil = {}, const dot::DepthMeasurements& measured = {}) {
     const Pinhole camera(small_camera());
@@ -120,7 +120,7 @@ dot::DepthMeasurements measured_on_car(const Scene& scene, int count, float q) {
   return measured;
 }
 
-// The depth in its mask may have been interpolated from its surroundings.
+// The depth in its mask may be that of measurements beside it.
 TEST(SelectObject, GivesNoPointsWithoutMeasurementsOfItsOwn) {
   const float q = Selected(street(), {}).summary.median_q;
   EXPECT_EQ(Selected(street(), {}, 0.1, 600, {}, measured_on_car(street(), 5, q)).points.size(), 0);

@@ -50,7 +50,7 @@ class DepthDensifier {
   }
 
   /// @param sparse 1/m, <= 0 = not measured. @param sigma of one measurement q, 1/m: sigma(q). @param measured gets the
-  /// measurements. @param dense of the same size, is overwritten.
+  /// measurements if they are far apart, else nothing. @param dense of the same size, is overwritten.
   template <typename Sigma>
   void operator()(const Image<float>& sparse, double density, Sigma&& sigma, DepthMeasurements& measured,
                   Image<float>& dense) {
@@ -65,6 +65,7 @@ class DepthDensifier {
       if (row - ry_ - 1 >= 0) add_row(measured, row - ry_ - 1, -1);
       if (row >= 0) fit_row(sparse, row, sigma, dense);
     }
+    measured.clear();
   }
 
  private:

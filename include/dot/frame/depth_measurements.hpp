@@ -13,7 +13,8 @@
 
 DOT_BEGIN_NAMESPACE
 
-/// The measurements of a frame's sparse depth, from which the rest was interpolated. Of other depth it is empty.
+/// The measurements of a frame's sparse depth, if they are far apart, so that each is the depth of the pixels about it.
+/// Of other depth it is empty.
 struct DepthMeasurements {
   /// One of them.
   struct Measurement {
@@ -25,8 +26,8 @@ struct DepthMeasurements {
   std::vector<Measurement> all;    ///< row by row
   std::vector<std::size_t> begin;  ///< of each row in `all`, and its end
 
-  /// Whether the depth is sparse.
-  bool is_sparse() const { return !begin.empty(); }
+  /// Whether there are any: the depth's measurements are far apart.
+  bool far_apart() const { return !begin.empty(); }
 
   /// Forgets all, but keeps the memory.
   void clear() noexcept {

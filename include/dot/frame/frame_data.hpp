@@ -19,7 +19,7 @@ struct FrameData {
   Pyramid pyramid;             ///< of the grey image
   DepthPyramid depth;          ///< 1/m, after `bias` was subtracted
   DepthBias bias;              ///< that was subtracted from `depth`
-  DepthMeasurements measured;  ///< what sparse `depth` was interpolated from
+  DepthMeasurements measured;  ///< of sparse `depth`, if they are far apart
   int repeats = 0;             ///< frames before it, without a gap, that have the same image
 
   /// Whether the image is that of the frame before because a driver or a host repeated it. Such a frame says nothing

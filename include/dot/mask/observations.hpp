@@ -153,24 +153,27 @@ class Observations {
   /// Cuts each box to the object in it.
   template <typename Camera, typename Noise>
   void cut_boxes(const Image<float>& inverse_depth, const Camera& camera, const Noise& noise) {
-    for (Observation& o : list)
-      if (BoxSilhouette::is_box(o.mask)) o.cut_from = o.mask.box();
     for (Observation& o : list) {
-      if (o.cut_from[2] == 0) continue;
-      const auto claimed = [&](int u, int v) {
-        return std::any_of(list.begin(), list.end(), [&](const Observation& other) {
-          const auto [x, y, width, height] = other.cut_from;
-          return &other != &o && (other.mask.at(u, v) || (u >= x && v >= y && u < x + width && v < y + height));
+      if (!BoxSilhouette::is_box(o.mask)) continue;
+      const std::array<int, 4> box = o.mask.box();
+      rivals_.clear();
+      for (const Observation& other : list)
+        if (&other != &o && (intersects(other.mask.box(), box) || intersects(other.cut_from, box)))
+          rivals_.push_back(&other);
+      const auto claimed = [this](int u, int v) {
+        return std::any_of(rivals_.begin(), rivals_.end(), [u, v](const Observation* other) {
+          return other->mask.at(u, v) || intersects(other->cut_from, {u, v, 1, 1});
         });
       };
-      if (silhouette_.cut(inverse_depth, camera, noise, claimed, o.mask)) {
-        o.centre = centre_of(o.mask, inverse_depth, camera, values_);
-        continue;
-      }
-      uncut_.push_back(&o);
+      if (!silhouette_.cut(inverse_depth, camera, noise, claimed, o.mask)) continue;
+      o.cut_from = box;
+      o.centre = centre_of(o.mask, inverse_depth, camera, values_);
     }
-    for (Observation* o : uncut_) o->cut_from = {};
-    uncut_.clear();
+  }
+
+  /// Whether two boxes (x, y, width, height) share a pixel.
+  static bool intersects(const std::array<int, 4>& a, const std::array<int, 4>& b) {
+    return a[0] < b[0] + b[2] && b[0] < a[0] + a[2] && a[1] < b[1] + b[3] && b[1] < a[1] + a[3];
   }
 
   template <typename Noise>
@@ -201,7 +204,7 @@ class Observations {
 
   IdRuns runs_;
   BoxSilhouette silhouette_;
-  std::vector<Observation*> uncut_;  ///< boxes that stay as they are
+  std::vector<const Observation*> rivals_;  ///< with pixels in the box that is cut
   Mask scratch_;
   std::vector<float> values_;
   std::vector<int> left_;  ///< pixels of each mask that those to which it gives way do not show

@@ -71,10 +71,10 @@ struct Selector {
   SelectionWorkspace& workspace;                        ///< memory
   const kernel::Kernels& kernels = portable_kernels();  ///< for the gradients and planes
   const OverlaidPixels* overlaid = nullptr;             ///< that give an object no points
-  const DepthMeasurements* measurements = nullptr;      ///< what sparse depth was interpolated from
+  const DepthMeasurements* measurements = nullptr;      ///< of sparse depth, if they are far apart
 
-  /// Whether most of the depth was interpolated.
-  bool is_sparse() const { return measurements && measurements->is_sparse(); }
+  /// Whether each measurement of the depth stands for the pixels about it.
+  bool far_apart() const { return measurements && measurements->far_apart(); }
 
   /// Appends points, in the order of the cells.
   void operator()(const SelectionRegion& region, PointSet& points) const {

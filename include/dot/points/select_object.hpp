@@ -24,7 +24,7 @@ struct ObjectPoints {
 
 namespace selecting {
 
-inline constexpr int kLeastMeasured = 6;        ///< of an object's pixels, where depth is interpolated
+inline constexpr int kLeastMeasured = 6;        ///< of an object's pixels, where measurements are far apart
 inline constexpr int kLargeArea = 2500;         ///< pixels
 inline constexpr double kShareOfDensity = 0.5;  ///< of an object's depths, those of a window that must be on a plane
 inline constexpr double kDeepest = 2;           ///< depth of an object along the line of sight, over its size across it
@@ -145,8 +145,8 @@ inline double shrink_tilt(ImageView<const float> surface, int step, float median
 /// relief is below the depth noise, or if less than a quarter of its pixels have depth, its points share one plane,
 /// which is then also used where depth is not measured. An object with few depths that is so near that its relief is a
 /// large part of its distance gets planes from fewer depths if it is large, else no points. It gets none either if the
-/// depths are those of more than one thing, as wrong ones of stereo are. Where depth is interpolated, there
-/// are none without some measurements in the mask: its depth may then be that of its neighbours.
+/// depths are those of more than one thing, as wrong ones of stereo are. Where measurements are far
+/// apart, there are none without some of them in the mask: its depth may then be that of its neighbours.
 /// @param box of the mask in the frame; @param mask of the box's size, non-zero = object; @param area its pixels.
 template <typename Camera, typename Noise>
 ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box, ImageView<const std::uint8_t> mask,
@@ -163,7 +163,7 @@ ObjectPoints select_object(const Selector<Camera, Noise>& select, const Box& box
     for (int x = 0; x < box.width; x += step)
       if (mask(x, y) && depth(x, y) > 0) values.push_back(depth(x, y));
   if (values.size() < 10) return out;
-  if (select.is_sparse() && select.measurements->inside(box.x, box.y, mask) < selecting::kLeastMeasured) return out;
+  if (select.far_apart() && select.measurements->inside(box.x, box.y, mask) < selecting::kLeastMeasured) return out;
   const auto [far, median_q, near] = spread(values.begin(), values.end());
   out.median_q = median_q;
   const float z = 1 / out.median_q;

@@ -20,7 +20,7 @@ from .errors import InvalidArgument, invalid
 
 @dataclass(frozen=True, eq=False)
 class Instance:
-    """One instance. Instances may overlap."""
+    """One instance. Instances may overlap. Boxes are cut to the objects in them, by depth."""
 
     id: int  # 1 to 2^32 - 1, the caller's; need not be stable from frame to frame
     mask: npt.ArrayLike | None = None  # bool or uint8, (h, w) of its own; None: the pixels of Masks.ids that equal `id`

@@ -49,4 +49,16 @@ TEST(BackgroundMask, LeavesOutObjectsWithTheirMargin) {
   }
 }
 
+TEST(BackgroundMask, LeavesOutBoxesThatItIsGiven) {
+  PaintedImage<std::uint8_t> labels;
+  labels.clear(50, 40);
+  BackgroundMask background;
+  background.set(labels, {{{10, 5, 20, 8}, {28, 10, 22, 30}}});
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 50; ++x) {
+      const bool in_box = (x >= 10 && x < 30 && y >= 5 && y < 13) || (x >= 28 && y >= 10);
+      ASSERT_EQ(background.pixels(x, y), in_box ? 0 : 255) << x << ' ' << y;
+    }
+}
+
 }  // namespace

@@ -57,7 +57,7 @@ TEST(OverlappingBoxes, LeaveEachObjectItsPixels) {
   film.add(kParked, straight({1.2, 1.3, 10}));
   film.add(kMover, straight({-2.0, 1.3, 6}, {1.5, 0, 1}));
   Tracker tracker(small_camera(), Options{});
-  int hidden = 0, seen = 0, moving = 0;
+  int hidden = 0, seen = 0, moving = 0, of_mover = 0, shown = 0, around = 0;
   for (int i = 0; i < 12; ++i) {
     dot::Frame frame = film.advance();
     const Boxes boxes(film.seen().ids);
@@ -72,14 +72,19 @@ TEST(OverlappingBoxes, LeaveEachObjectItsPixels) {
     const Instance& box = boxes.instances.back();
     for (int y = 0; y < result.labels.height; ++y)
       for (int x = 0; x < result.labels.width; ++x) {
-        if (film.truth().ids(x, y) != kParked) continue;
+        const bool called_moving = result.labels.row(y)[x] == static_cast<std::uint8_t>(State::Moving);
+        const std::uint32_t id = film.truth().ids(x, y);
+        of_mover += id == kMover, shown += id == kMover && called_moving, around += id == 0 && called_moving;
+        if (id != kParked) continue;
         ++seen;
         hidden += x >= box.x && x < box.x + box.mask.width && y >= box.y && y < box.y + box.mask.height;
-        moving += result.labels.row(y)[x] == static_cast<std::uint8_t>(State::Moving);
+        moving += called_moving;
       }
   }
   ASSERT_GT(hidden, 0.1 * seen) << "the mover's box shows the parked car";
   EXPECT_LT(moving, 0.2 * hidden);
+  EXPECT_GT(shown, 0.95 * of_mover);
+  EXPECT_LT(around, 0.1 * of_mover) << "a fifth of the box is what is around the mover";
 }
 
 }  // namespace

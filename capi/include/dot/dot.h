@@ -243,7 +243,8 @@ typedef struct dot_instance {
 } dot_instance;
 
 /// The segmentation of one frame: an id image, or instances that may overlap, or an id image with instances that give
-/// class and score of some of its ids. Both absent: the network ran and found nothing.
+/// class and score of some of its ids. Instances that are boxes are cut to the objects in them, by depth. Both absent:
+/// the network ran and found nothing.
 typedef struct dot_masks {
   uint32_t struct_size;           ///< sizeof(dot_masks)
   uint32_t instance_count;        ///< length of `instances`

@@ -30,7 +30,7 @@ struct Instance {
 /// gives class and score of some of its ids. Both empty: the network ran and found nothing.
 struct Masks {
   ImageRef ids;              ///< Id8, Id16 or Id32, of the frame's size, 0 = background
-  Span<Instance> instances;  ///< may overlap
+  Span<Instance> instances;  ///< may overlap; those that are boxes are cut to the objects in them, by depth
 };
 
 /// A camera motion that the host knows better than the tracker, with its covariance.

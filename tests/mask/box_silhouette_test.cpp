@@ -16,14 +16,10 @@ using box_scene::kFar;
 using box_scene::kId;
 using box_scene::kNear;
 using box_scene::kObject;
+using box_scene::Noise;
 using box_scene::Rendered;
 using dot::BoxSilhouette;
 using dot::Mask;
-
-struct Noise {
-  double sigma = 1e-3;
-  double pixel_sigma(double) const { return sigma; }
-};
 
 constexpr std::array<int, 4> kCar{30, 20, 20, 16};  // x, y, width, height: an object before the wall
 

@@ -19,12 +19,8 @@ using box_scene::kHeight;
 using box_scene::kNear;
 using box_scene::kObject;
 using box_scene::kWidth;
+using box_scene::Noise;
 using dot::Mask;
-
-struct Noise {
-  double sigma = 1e-3;
-  double pixel_sigma(double) const { return sigma; }
-};
 
 Mask rectangle(int x, int y, int width, int height) { return box_scene::outline({x, y, width, height}).mask; }
 

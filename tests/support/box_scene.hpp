@@ -19,6 +19,12 @@ inline constexpr std::uint32_t kId = 5, kOther = 7;
 inline constexpr float kNear = 0.5f, kObject = 0.2f, kFar = 0.05f;  // 1/m
 inline const dot::Intrinsics kIntrinsics{100, 100, 40, 30, kWidth, kHeight, 0};
 
+/// Of the depth.
+struct Noise {
+  double sigma = 1e-3;
+  double pixel_sigma(double) const { return sigma; }
+};
+
 /// Columns [x0, x1) and rows [y0, y1) of one inverse depth; may reach out of the image.
 struct Box {
   int x0, x1, y0, y1;

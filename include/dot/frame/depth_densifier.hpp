@@ -76,8 +76,10 @@ class DepthDensifier {
   static constexpr double kOffCentre = 0.6;   ///< largest offset of their middle, share of the window's half size
   static constexpr double kSlopePrior = 0.1;  ///< square pixels; keeps the plane through one row from tilting
   static constexpr int kMostReach = 20;       ///< blocks
-  static constexpr double kSurface = 20;      ///< pixels: a wider window seldom shows one surface
-  static constexpr int kPatch = 3;            ///< pixels on each side of a measurement that is alone
+  // A wider window seldom shows one surface. In a finer image the same surface has more pixels.
+  static constexpr double kSurface = 20;            ///< pixels
+  static constexpr double kSurfaceShare = 0.03125;  ///< of the image's width, if that is more
+  static constexpr int kPatch = 3;                  ///< pixels on each side of a measurement that is alone
 
   /// Sums over measurements (u, v, q).
   struct Sums {
@@ -124,7 +126,7 @@ class DepthDensifier {
     };
     rx_ = half(side / std::sqrt(ratio));
     ry_ = half(side * std::sqrt(ratio));
-    return side <= kSurface || are_on_lines(q, density, measured);
+    return side <= std::max(kSurface, kSurfaceShare * q.width()) || are_on_lines(q, density, measured);
   }
 
   /// Whether nearly all measurements have a neighbour that is less than half as far away as if they were spread evenly.

@@ -338,6 +338,37 @@ TEST(Belief, AnErrorOfTheObjectsDepthLasts) {
   EXPECT_GT(p(2, 0.9), settings.decide);
 }
 
+// Successive fits to one reference have its error in common. What they say together is less than what fits to as many
+// references say.
+TEST(Belief, FitsToOneReferenceShareItsError) {
+  const Vector3<double> sigma(0.3, 0.1, 2.5);
+  const double common = std::sqrt(dot::ReferenceError::kShare), own = std::sqrt(1 - dot::ReferenceError::kShare);
+  int called_moving = 0, called_moving_by_others = 0, told = 0;  // more probably than not; with certainty
+  for (unsigned seed = 0; seed < 2000; ++seed) {
+    Random random(seed);
+    const Vector3<double> shared = random.normal3(1);
+    Belief stands, stands_by_others, moves;
+    for (int i = 1; i <= 5; ++i) {
+      const Vector3<double> error = sigma.cwiseProduct(common * shared + own * random.normal3(1));
+      const auto update = [&](const Vector3<double>& velocity, int frames, Belief& belief) {
+        MotionEstimate e = fit(velocity, 0, 0.1 * frames, frames);
+        e.covariance = sigma.cwiseAbs2().asDiagonal();
+        belief.update(e, settings.v0_at(e.range), settings);
+        belief.predict(0.1, I, settings);
+      };
+      update(error, i, stands);
+      update(error, 6 - i, stands_by_others);
+      update(error + Vector3<double>(0, 0, -12), i, moves);
+    }
+    called_moving += stands.p_moving() > 0.5;
+    called_moving_by_others += stands_by_others.p_moving() > 0.5;
+    told += moves.p_moving() > settings.decide;
+  }
+  EXPECT_GT(called_moving_by_others, 50);
+  EXPECT_LT(called_moving, 10);
+  EXPECT_GT(told, 1900);
+}
+
 /// A fit of a box of a decimetre, 1.5 m away, that turns about a standing centre.
 MotionEstimate turning_fit(double angular_velocity, double sigma) {
   MotionEstimate e = fit({0, 0, 0}, 0.003);

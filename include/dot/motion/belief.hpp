@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dot/motion/estimate.hpp"
+#include "dot/motion/reference_error.hpp"
 #include "dot/motion/settings.hpp"
 #include "dot/motion/turning.hpp"
 #include "dot/motion/velocity_trust.hpp"
@@ -23,8 +24,10 @@ DOT_BEGIN_NAMESPACE
 ///
 /// D is a share of what errors of the depth add to V (MotionEstimate::depth_covariance): 0.1, because other frames have
 /// others. What the fits before say of an error that lasts, the next should say again. Without it, *moves* alone would
-/// profit from a small wrong velocity that stays the same. The filter expects the usual accelerations, not the largest.
-/// Otherwise *moves* would expect so many velocities that those of a slow mover are better explained by standing.
+/// profit from a small wrong velocity that stays the same. Successive fits often have the same reference, and share its
+/// error: under *stands* it is learnt, too (ReferenceError). The filter expects the usual accelerations, not the
+/// largest. Otherwise *moves* would expect so many velocities that those of a slow mover are better explained by
+/// standing.
 ///
 /// The errors of real fits have heavy tails. One fit in five is worse than its covariance, because of reflections, half
 /// hidden outlines or a slope in the depth's error. So V stands for the mixture 0.8 V + 0.2 (6 V) in both hypotheses.
@@ -58,6 +61,7 @@ struct Belief {
   static constexpr double kNewDrift = 0.15;            ///< share of fits under *stands* with a drift of their own
   static constexpr double kLastingDrift = 0.2;         ///< and of those with one that lasts
   static constexpr double kLastingDepth = 0.1;         ///< share of the variance of the object's depth error that lasts
+  static constexpr double kOfReference = 0.5;          ///< share of fits that have the error learnt of their reference
   static constexpr double kFreshShare = 0.1;           ///< share of a new motion beside the prediction
   static constexpr double kFastVariance = 25;          ///< of motorway speeds, over ordinary speeds
   static constexpr double kOutlierVariance = 36;       ///< of a wrong fit's velocity, over ordinary speeds
@@ -69,6 +73,7 @@ struct Belief {
   VelocityTrust trust;                                   ///< in the filter
   double range = 0;                                      ///< of the last fit, metres
   Turning turning;                                       ///< its angular velocity, if it turns
+  ReferenceError reference_error;                        ///< of the last fit, if it stands
 
   /// Probability that it moves, 0 to 1.
   double p_moving() const { return 1 / (1 + std::exp(-log_odds)); }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -20,6 +21,7 @@ DOT_INLINE void Belief::predict(double dt, const Matrix3<double>& R_cur_prev, co
   const double q = p + 2 * change * (kPrior - p);
   log_odds = std::log(q / (1 - q));
   turning.predict(dt, R_cur_prev, s.prior_turn);
+  reference_error.predict(dt, R_cur_prev);
   if (!has_velocity()) return;
   // Accelerations a last for tau, so the variance grows by a^2 tau per second.
   covariance += Matrix3<double>::Identity() * sq(s.usual_acceleration_at(range)) * kAccelerationSeconds * dt;
@@ -36,7 +38,7 @@ DOT_INLINE void Belief::update(const MotionEstimate& e, double v0, const Velocit
   Belief after = *this;
   after.weigh(e, v0, s);
   if (std::isfinite(after.log_odds) && after.velocity.allFinite() && after.covariance.allFinite() &&
-      after.turning.all_finite())
+      after.turning.all_finite() && after.reference_error.all_finite())
     *this = after;
 }
 
@@ -60,6 +62,7 @@ DOT_INLINE void Belief::weigh(const MotionEstimate& e, double v0, const Velocity
   log_odds = std::clamp(log_odds + std::clamp(evidence, -cap, cap), -s.max_log_odds, s.max_log_odds);
   if (e.is_doubtful && !agrees(e)) log_odds = std::min(log_odds, std::max(before, undecided));
   filter(e, speed2);
+  reference_error.update(e);
 }
 
 /// Bayes factor of a velocity against standing.
@@ -76,16 +79,22 @@ DOT_INLINE double Belief::translates_or_stands(const MotionEstimate& e, double v
   const Matrix3<double> D = kLastingDepth * e.depth_covariance;
   const Gaussian fits{velocity, covariance}, of_depth = drift_given(fits, D), lasting = drift_given(fits, D + drift);
   const Vector3<double> weakest = Eigen::SelfAdjointEigenSolver<Matrix3<double>>(V).eigenvectors().col(2);
+  const std::optional<ReferenceError::Known> known = reference_error.before(e);
+  const auto standing = [&](const Matrix3<double>& S, const ReferenceError::Known& of_reference) {
+    const Vector3<double> rest = v - of_reference.error;
+    const Matrix3<double> own = S - of_reference.less - D, usual = own + of_depth.covariance;
+    return kNewDrift * density(rest - of_depth.mean, usual + drift) +
+           kLastingDrift * density(rest - lasting.mean, own + lasting.covariance) +
+           (1 - kNewDrift - kLastingDrift) * density(rest - of_depth.mean, usual);
+  };
   // Both hypotheses, with the errors of the covariance and with those of a bad fit.
   double stands = 0, moves = 0;
   for (const auto& [share, S] : {std::pair<double, Matrix3<double>>{1 - s.tail_share, V},
                                  std::pair<double, Matrix3<double>>{s.tail_share, s.tail_variance * V}}) {
     double still = density(v, S + drift);
     if (has_velocity()) {
-      const Matrix3<double> usual = S - D + of_depth.covariance;
-      still = kNewDrift * density(v - of_depth.mean, usual + drift) +
-              kLastingDrift * density(v - lasting.mean, S - D + lasting.covariance) +
-              (1 - kNewDrift - kLastingDrift) * density(v - of_depth.mean, usual);
+      still = standing(S, {});
+      if (known) still = (1 - kOfReference) * still + kOfReference * standing(S, *known);
     }
     stands += share * still;
     double fresh = 0;

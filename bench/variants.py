@@ -47,6 +47,12 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
                 edges that reach up to three pixels too far, and flicker
   flying        depth of a time-of-flight camera: pixels at edges lie anywhere between both surfaces
   wide          masks that reach 6 pixels beyond their objects, nearer ones over farther ones
+  motionblur    exposures of half the time between two frames: what moves in the image is smeared
+  jolt          in every eighth frame a camera that turns by 1.5 degrees during the exposure
+  defocus       a lens that hunts for its focus: sharp, and half a second later a blur of 4 pixels (sigma), and back
+  focusing      a recording that starts with that blur, and is sharp after half a second
+  fog           fog in which 5 % of the contrast is left at 60 m
+  rain, snow    streaks of drops, or flakes, up to 12 m away; flakes of three pixels or more have their depth
 """
 import glob
 import os
@@ -56,7 +62,9 @@ import sys
 import cv2
 import numpy as np
 
+import blur
 import depth_sensors
+import weather
 
 IMAGES = ("rgb", "depth", "depth_true", "instance", "masks")
 POSES = (("poses.txt", 0), ("object_poses.txt", 2))  # and the columns before the pose
@@ -277,6 +285,10 @@ def make(kind, out, sequence):
     number = {frame: range(copies * i, copies * (i + 1)) for i, frame in enumerate(order(frames, kind))}
     if kind in depth_sensors.KINDS:
         sensor = depth_sensors.sensor(kind, sequence, frames, intrinsics, random)
+    if kind in blur.KINDS:
+        lens = blur.lens(kind, sequence, frames, intrinsics, random)
+    if kind in weather.KINDS:
+        sky = weather.sky(kind, sequence, frames, intrinsics, random)
     for name in IMAGES:
         for path in sorted(glob.glob(f"{sequence}/{name}/*")):
             stem, suffix = os.path.splitext(os.path.basename(path))
@@ -294,6 +306,10 @@ def make(kind, out, sequence):
                     image = cv2.imread(f"{sequence}/{name}/{int(stem) - 1:06d}{suffix}", cv2.IMREAD_UNCHANGED)
                 if name == "depth" and kind in depth_sensors.KINDS:
                     image = sensor(image, int(stem))
+                elif name == "rgb" and kind in blur.KINDS:
+                    image = lens(image, int(stem))
+                elif name in ("rgb", "depth") and kind in weather.KINDS:
+                    image = sky(image, name, int(stem))
                 elif kind == "wide" and name == "masks":
                     image = widened(image, cv2.imread(f"{sequence}/depth/{stem}.png", cv2.IMREAD_UNCHANGED))
                 elif kind in ("bands", "overlay") and name == "rgb":
@@ -340,7 +356,8 @@ def make(kind, out, sequence):
 def main():
     kinds = "half third mirror crop slow twice reverse late skip1 skip2 skip3 bands flicker noise grain dark shake rolling"
     kinds += " bonnet caption letterbox tilt stutter overlay near bias wide"
-    if len(sys.argv) < 4 or sys.argv[1] not in (*kinds.split(), *depth_sensors.KINDS):
+    others = (*depth_sensors.KINDS, *blur.KINDS, *weather.KINDS)
+    if len(sys.argv) < 4 or sys.argv[1] not in (*kinds.split(), *others):
         sys.exit(__doc__)
     for sequence in sys.argv[3:]:
         make(sys.argv[1], sys.argv[2], sequence)

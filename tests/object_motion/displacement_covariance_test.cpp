@@ -22,6 +22,7 @@ struct Fit {
   dot::ObjectReference reference;
   dot::CameraSince camera;
   dot::Alignment alignment;
+  double sharper = 1;  ///< see SharperImage
   const dot::DepthNoise noise{{}, dot::test::small_camera()};
 
   Fit() {
@@ -35,8 +36,8 @@ struct Fit {
   }
 
   dot::DisplacementCovariance covariances() const {
-    return displacement_covariance(dot::ReferencePair{reference, camera, 0.1}, alignment, reference.centroid, {},
-                                   noise);
+    return displacement_covariance(dot::ReferencePair{reference, camera, 0.1}, alignment, reference.centroid, {}, noise,
+                                   sharper);
   }
   Matrix6<double> covariance() const { return covariances().all; }
   /// Covariance of the centroid, where the measured inverse depth differs by so much from the predicted one.
@@ -63,6 +64,15 @@ TEST(DisplacementCovariance, NamesThePartOfTheDepth) {
   EXPECT_TRUE(with.all.isApprox(without + with.of_depth, 1e-9));
   fit.alignment.depth_modes[3] << 0, 0, 0.1, 0, 0, 0, 0, 0;  // what changes from frame to frame does not last
   EXPECT_TRUE(fit.covariances().of_depth.isApprox(with.of_depth, 1e-9));
+}
+
+TEST(DisplacementCovariance, HasTheFactorOfASharperImageOnItsPhotometricPartAlone) {
+  Fit fit;
+  const Matrix6<double> photometric = fit.covariance();
+  fit.alignment.depth_modes[0] << 0, 0, 0.3, 0, 0, 0, 0, 0;
+  fit.sharper = 4;
+  const dot::DisplacementCovariance blurred = fit.covariances();
+  EXPECT_TRUE(blurred.all.isApprox(4 * photometric + blurred.of_depth, 1e-9));
 }
 
 TEST(DisplacementCovariance, GrowsAlongTheRayByADepthThatContradictsTheFit) {

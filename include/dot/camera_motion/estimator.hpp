@@ -16,6 +16,7 @@
 #include "dot/camera_motion/search.hpp"
 #include "dot/camera_motion/second_motion.hpp"
 #include "dot/camera_motion/settings.hpp"
+#include "dot/camera_motion/sharper_image.hpp"
 #include "dot/camera_motion/unexpected_turn.hpp"
 #include "dot/statistics/median.hpp"
 
@@ -62,7 +63,10 @@ struct CameraMotionEstimator {
     step.T_cur_prev = a.state.T * T_prev_points.inverse();
     step.rolling = RollingShutter::measure(problem.points, problem.image.levels[0], problem.camera, a, aligner.settings,
                                            settings.covariance_scale);
-    step.covariance = settings.covariance_scale * a.covariance.topLeftCorner<6, 6>() + step.rolling.covariance_of_all();
+    const double sharper =
+        SharperImage::variance_factor(problem.points, problem.image.levels[0], problem.camera, a, aligner.settings);
+    step.covariance =
+        sharper * settings.covariance_scale * a.covariance.topLeftCorner<6, 6>() + step.rolling.covariance_of_all();
   }
 
   /// Metres by which the motion of an interval may differ from that at constant velocity.

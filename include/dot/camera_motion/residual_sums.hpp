@@ -15,12 +15,14 @@ DOT_BEGIN_NAMESPACE
 
 /// A point that fits the alignment of its set to an image: its residual r of eq. 3 there.
 struct FittingPoint {
-  std::size_t i;         ///< its place in the set
-  Vector2<float> pixel;  ///< in the new image
-  double r;              ///< grey values
-  Vector8 dr_dstate;     ///< by [x; a; b], the left twist of the pose, gain, offset
-  double dr_dq;          ///< by the inverse depth
-  double weight;         ///< Tukey's, over the variance of r
+  std::size_t i;             ///< its place in the set
+  Vector2<float> pixel;      ///< in the new image
+  Vector2<double> gradient;  ///< there, grey values per pixel
+  double shrinks;            ///< its depth there over that in the reference
+  double r;                  ///< grey values
+  Vector8 dr_dstate;         ///< by [x; a; b], the left twist of the pose, gain, offset
+  double dr_dq;              ///< by the inverse depth
+  double weight;             ///< Tukey's, over the variance of r
 };
 
 /// Calls `visit(FittingPoint)` for the points that are inside an image, without a border of one to three pixels, and
@@ -49,7 +51,8 @@ void visit_fitting(const PointSet& points, std::size_t every, const Image<std::u
     if (fits <= 0) continue;
     Vector8 dr_dstate;
     dr_dstate << static_cast<double>(q) * dr_dX, X.template cast<double>().cross(dr_dX), -intensity, -1;
-    visit(FittingPoint{i, pixel, r, dr_dstate, dr_dq, sq(fits) / s2});
+    const Vector2<double> gradient{static_cast<double>(s.gx), static_cast<double>(s.gy)};
+    visit(FittingPoint{i, pixel, gradient, static_cast<double>(X.z()), r, dr_dstate, dr_dq, sq(fits) / s2});
   }
 }
 

@@ -52,10 +52,11 @@ struct DisplacementCovariance {
 /// Where the object's measured depth scatters more about the prediction than the model says, its depth errors are
 /// scaled up by that excess.
 /// @param moved the centroid after the fit's motion, axes of the reference's camera.
+/// @param sharper factor on the photometric part, see SharperImage.
 template <typename Noise>
 DisplacementCovariance displacement_covariance(const ReferencePair& pair, const Alignment& a,
                                                const Vector3<double>& moved, const VelocitySettings& settings,
-                                               const Noise& noise) {
+                                               const Noise& noise, double sharper) {
   constexpr double kSteadySeconds = 0.25;  // up to here depth errors change less than their size
   constexpr double kScatterOfFit = 1.2;    // scatter of depths about a good fit, over one pixel's noise
   constexpr double kMostExcess = 4;        // largest factor of an object's depth noise over the background's
@@ -83,7 +84,8 @@ DisplacementCovariance displacement_covariance(const ReferencePair& pair, const 
                  of_mode(1, kSlopeModes * common * common + reference.slope_variance) +
                  of_mode(2, kSlopeModes * common * common + reference.slope_variance);
   Matrix6<double>& V = out.all;
-  V = settings.photometric_scale * (kFarApart + (1 - kFarApart) * close) * a.covariance.topLeftCorner<6, 6>() +
+  V = sharper * settings.photometric_scale * (kFarApart + (1 - kFarApart) * close) *
+          a.covariance.topLeftCorner<6, 6>() +
       out.of_depth + of_mode(3, change * change);
   const double of_median = std::sqrt(std::max(per_area, kVarianceOfMedian / std::max(1, a.with_depth))) * pixel;
   add_contradicting_depth(pair, a, moved, std::hypot(change, of_median), of_fit, V);

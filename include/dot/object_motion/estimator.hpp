@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dot/align/minima.hpp"
+#include "dot/camera_motion/sharper_image.hpp"
 #include "dot/motion/disparity.hpp"
 #include "dot/motion/known_velocity.hpp"
 #include "dot/object_motion/displacement_covariance.hpp"
@@ -120,7 +121,7 @@ struct ObjectMotionEstimator {
     for (std::size_t i = 0; i < std::min(order.size(), kTried); ++i) {
       Alignment& a = candidates[order[i].second];
       aligner.reject_outliers_and_refit(problem, a, fine > 0 && candidates.size() == 1);
-      ObjectFit attempt = fit_of(pair, problem, a, noise);
+      ObjectFit attempt = fit_of(pair, problem, a, noise, aligner.settings);
       attempt.motion.is_doubtful = !(known.seconds > 0) && FirstFit::is_doubtful(attempt, i == 0, prior);
       attempt.reason = check(points, a, attempt, known);
       if (i == 0 || attempt.ok()) out = attempt;
@@ -151,7 +152,7 @@ struct ObjectMotionEstimator {
 
   template <typename Camera, typename Noise>
   ObjectFit fit_of(const ReferencePair& pair, const AlignProblem<Camera>& problem, const Alignment& a,
-                   const Noise& noise) const {
+                   const Noise& noise, const AlignSettings& align) const {
     const ObjectReference& reference = pair.reference;
     const double dt = pair.seconds;
     const SE3d T_c = problem.T_outer;
@@ -167,7 +168,9 @@ struct ObjectMotionEstimator {
     m.span_seconds = dt;
     m.span_frames = std::max(1, pair.camera.intervals);
     m.range = moved.z();
-    const DisplacementCovariance displacement = displacement_covariance(pair, a, moved, velocity, noise);
+    const double sharper =
+        SharperImage::variance_factor(problem.points, problem.image.levels[0], problem.camera, a, align);
+    const DisplacementCovariance displacement = displacement_covariance(pair, a, moved, velocity, noise, sharper);
     const Matrix6<double> V = displacement.all / (dt * dt);
     const double floor = velocity.floor_at(m.range);
     m.covariance = V.topLeftCorner<3, 3>() + Matrix3<double>::Identity() * floor * floor;

@@ -8,8 +8,9 @@ import cv2
 import numpy as np
 
 import depth_cameras
+import depth_networks
 
-NETWORKS = ("scale2", "objects5")
+NETWORKS = ("scale2", "objects5", "network5")
 MAP_BASELINE = 0.5  # metres: of a SLAM host's triangulation, if the recording has none
 
 
@@ -117,6 +118,12 @@ def flashed(depth, intrinsics, kind, random):
     return registered(x, y, z, 0.1, intrinsics, depth)
 
 
+def movers(sequence):
+    """(frame, id) of all objects that move."""
+    with open(f"{sequence}/objects.csv", encoding="utf-8") as file:
+        return {(int(row["frame"]), int(row["id"])) for row in csv.DictReader(file) if int(row["moving"])}
+
+
 class MapPoints:
     """The map points of a SLAM host that it sees in a frame: 300 corners on what stands, each with depth at one pixel.
 
@@ -132,8 +139,7 @@ class MapPoints:
         self.intrinsics, self.focal_baseline = intrinsics, intrinsics[0] * (intrinsics[6] or MAP_BASELINE)
         self.poses = np.loadtxt(f"{sequence}/poses.txt").reshape(-1, 3, 4)
         self.places, self.errors = np.empty((0, 3)), np.empty(0)  # in the world; in pixels
-        with open(f"{sequence}/objects.csv", encoding="utf-8") as file:
-            self.movers = {(int(row["frame"]), int(row["id"])) for row in csv.DictReader(file) if int(row["moving"])}
+        self.movers = movers(sequence)
 
     def __call__(self, depth, frame):
         """Their depth in 1/256 m, from the frame's true depth."""
@@ -216,6 +222,19 @@ def by_depth_camera(depth, kind, frame, sequence, intrinsics):
     return depth_cameras.measured(kind, depth, image, instance, intrinsics[0], intrinsics[6], random)
 
 
+def by_network(sequence, frames, intrinsics):
+    """The depth of a frame by a network."""
+    network = depth_networks.Network(intrinsics, movers(sequence))
+    poses = np.loadtxt(f"{sequence}/poses.txt").reshape(-1, 3, 4)
+
+    def measured(depth, frame):
+        true, instance = read(sequence, "depth_true", frame), read(sequence, "instance", frame)
+        surface = depth_networks.complete(depth / 256.0, instance) if true is None else true / 256.0
+        return np.round(256 * network(surface, instance, frame, poses[frames.index(frame)])).astype(depth.dtype)
+
+    return measured
+
+
 def sensor(kind, sequence, frames, intrinsics, random):
     """The sensor of a kind: a function of a frame's recorded depth and its number. It returns that sensor's depth."""
 
@@ -236,6 +255,8 @@ def sensor(kind, sequence, frames, intrinsics, random):
         return lambda depth, _: np.where(random.random(depth.shape) < 0.5, 0, depth).astype(depth.dtype)
     if kind == "edges":
         return lambda depth, frame: at_edges(depth, read(sequence, "rgb", frame))
+    if kind == "network5":
+        return by_network(sequence, frames, intrinsics)
     if kind in depth_cameras.KINDS:
         return lambda depth, frame: by_depth_camera(depth, kind, frame, sequence, intrinsics)
     return lambda depth, frame: rescaled(depth, kind, frame, sequence)

@@ -43,6 +43,9 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
   edges         depth at strong gradients of the image alone
   scale2        depth of a network: that of each frame is wrong by a factor of its own, 2 % (sigma)
   objects5      depth of a network: that of each object is wrong by a factor of its own, 5 % (sigma), which stays
+  network5      depth of a network that sees one image: an error of 5 %, and of 10 % beyond 40 m, that changes over a
+                tenth of the image and mostly stays in the scene; a scale that differs by 1.5 % from frame to frame; no
+                holes, the sky at some 80 m; edges that bleed; no thin things
   shadow        depth of a structured-light camera: none beside near things, which hide the scene from the projector;
                 edges that reach up to three pixels too far, and flicker
   flying        depth of a time-of-flight camera: pixels at edges lie anywhere between both surfaces

@@ -15,7 +15,7 @@ DOT_BEGIN_NAMESPACE
 /// What the stages have noticed of a frame. Shares are of its pixels, 0 to 1.
 struct Noticed {
   double masked = 0;       ///< share that objects cover; looked at if there are too few points beside them
-  double saturated = 0;    ///< share whose depth was left out (DepthSaturation)
+  double saturated = 0;    ///< share whose depth was left out (DepthSaturation, FarPile)
   double fixed = 0;        ///< share that does not move with the scene (FixedParts)
   double row_turn = 0;     ///< radians, of the last row against the first; 0 if that may be chance (RollingShutter)
   double scale_sigma = 0;  ///< of the depth's scale from frame to frame, relative (ScaleJitter)

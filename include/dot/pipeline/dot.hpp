@@ -14,6 +14,7 @@
 #include "dot/diagnosis/watch.hpp"
 #include "dot/discovery/discovery.hpp"
 #include "dot/frame/depth_saturation.hpp"
+#include "dot/frame/far_pile.hpp"
 #include "dot/frame/frame_store.hpp"
 #include "dot/kernel/portable_kernels.hpp"
 #include "dot/labels/labeller.hpp"
@@ -101,6 +102,7 @@ class Dot {
 
   void label_objects(const Frame& frame);
   double start_interval(double timestamp);
+  double unmeasured_from(const ImageRef& depth);
   CameraStep track_camera(const Frame& frame, double seconds);
   void learn_and_predict(const Interval& interval);
   void forget_wrong_motions();
@@ -139,6 +141,7 @@ class Dot {
   Options options_;
 
   DepthSaturation saturation_;
+  FarPile far_pile_;
   FrameStore frames_;
   FramePtr current_, previous_;
   CameraTracker<Camera, Noise, Aligner> camera_tracker_;

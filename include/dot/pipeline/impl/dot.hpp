@@ -77,7 +77,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   previous_ = std::move(current_);
   current_ = frames_.add(frame, camera_tracker_.depth_bias(), depth_noise,
                          {std::min(options_.align.max_levels, PointSet::kMaxLevels), options_.selection.max_depth,
-                          saturation_.update(frame.depth, options_.selection.max_depth)},
+                          unmeasured_from(frame.depth)},
                          kernels(), threads, seconds > 0 ? previous_.get() : nullptr);
   const FrameData& cur = *current_;
   ends(Stage::Image);
@@ -120,6 +120,15 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   ends(Stage::Label);
 }
 
+/// @return metres; depth from there on says only that the scene is as far or farther. A sensor that is known has no
+/// pile.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+double Dot<Camera, Classifier, Noise, Aligner>::unmeasured_from(const ImageRef& depth) {
+  const double max_depth = options_.selection.max_depth, saturated = saturation_.update(depth, max_depth);
+  if (options_.depth_noise.source != DepthSource::Unknown) return saturated;
+  return std::min(saturated, far_pile_.update(depth, max_depth));
+}
+
 /// @param seconds since the previous frame, 0 if there is none to align to.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 CameraStep Dot<Camera, Classifier, Noise, Aligner>::track_camera(const Frame& frame, double seconds) {
@@ -137,7 +146,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::prepare_next(const CameraStep& cam
   const double step = previous_ ? current_->timestamp - previous_->timestamp : 0;
   Noticed noticed;
   noticed.masked = result_.too_little_depth ? labeller_.labels().share() : 0;
-  noticed.saturated = saturation_.share();
+  noticed.saturated = std::max(saturation_.share(), far_pile_.share());
   noticed.fixed = camera_tracker_.fixed_share();
   noticed.row_turn = camera_step.rolling.turn.norm();
   noticed.scale_sigma = camera_tracker_.scale_sigma();
@@ -268,6 +277,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::reset() noexcept {
   current_.reset();
   previous_.reset();
   saturation_.forget();
+  far_pile_.forget();
   camera_tracker_.forget();
   discovery_.clear();
   late_masks_.clear();

@@ -31,16 +31,30 @@ struct SharperImage {
   template <typename Camera>
   static double variance_factor(const PointSet& points, const Image<std::uint8_t>& image, const Camera& camera,
                                 const Alignment& a, const AlignSettings& settings) {
-    const auto every = std::max<std::size_t>(1, points.u.size() / kPoints);
+    const auto visit = [&](std::size_t most, auto&& add) {
+      visit_fitting(points, std::max<std::size_t>(1, points.u.size() / most), image, camera, a, settings,
+                    [&](const FittingPoint& p) {
+                      const Vector2<double> before(static_cast<double>(points.gu[0][p.i]),
+                                                   static_cast<double>(points.gv[0][p.i]));
+                      const double steeper = std::max(1.0, a.state.gain) * std::max(1.0, p.shrinks);
+                      add(p.weight, p.gradient, Vector2<double>(steeper * before));
+                    });
+    };
     std::array<Along, kDirections> directions;
     for (int k = 0; k < kDirections; ++k) {
       const double angle = 3.14159265358979323846 * k / kDirections;
       directions[static_cast<std::size_t>(k)].direction = {std::cos(angle), std::sin(angle)};
     }
-    visit_fitting(points, every, image, camera, a, settings, [&](const FittingPoint& p) {
-      const Vector2<double> before{static_cast<double>(points.gu[0][p.i]), static_cast<double>(points.gv[0][p.i])};
-      const double steeper = std::max(1.0, a.state.gain) * std::max(1.0, p.shrinks);
-      for (Along& along : directions) along.add(p.weight, p.gradient, steeper * before);
+    // Most images are not sharper, as a few points tell without the error of rho.
+    Gradients few;
+    visit(kFewPoints, [&](double weight, const Vector2<double>& gradient, const Vector2<double>& before) {
+      few.add(weight, gradient, before);
+    });
+    if (std::none_of(directions.begin(), directions.end(),
+                     [&](const Along& along) { return few.are_steeper_along(along.direction); }))
+      return 1;
+    visit(kPoints, [&](double weight, const Vector2<double>& gradient, const Vector2<double>& before) {
+      for (Along& along : directions) along.add(weight, gradient, before);
     });
     double rho = 1;
     for (const Along& along : directions) rho = std::max(rho, along.rho_beyond_chance());
@@ -48,10 +62,32 @@ struct SharperImage {
   }
 
  private:
-  static constexpr std::size_t kPoints = 1000;  ///< that are looked at, up to twice as many
+  static constexpr std::size_t kFewPoints = 100, kPoints = 1000;  ///< that are looked at, up to twice as many
   static constexpr int kDirections = 8;
   static constexpr double kLargest = 10;  ///< rho, where the reference has no gradients
   static constexpr double kSigmas = 3;    ///< of rho, that may be chance
+
+  /// Sums over the points of w g g^T, of the symmetric part of w g g'^T and of w g' g'^T: their uu, uv and vv.
+  struct Gradients {
+    Vector3<double> now = Vector3<double>::Zero(), both = Vector3<double>::Zero(), then = Vector3<double>::Zero();
+
+    void add(double weight, const Vector2<double>& gradient, const Vector2<double>& before) {
+      now += weight * product(gradient, gradient);
+      both += weight * product(gradient, before);
+      then += weight * product(before, before);
+    }
+
+    /// Whether rho is greater than 1.
+    bool are_steeper_along(const Vector2<double>& d) const {
+      const Vector3<double> along(d.x() * d.x(), 2 * d.x() * d.y(), d.y() * d.y());
+      return along.dot(now) > std::max(along.dot(both), along.dot(then));
+    }
+
+   private:
+    static Vector3<double> product(const Vector2<double>& a, const Vector2<double>& b) {
+      return {a.x() * b.x(), 0.5 * (a.x() * b.y() + a.y() * b.x()), a.y() * b.y()};
+    }
+  };
 
   /// Sums over the points along one direction in the image.
   struct Along {

@@ -36,6 +36,7 @@ def standing(sequence):
 def products(sequence, out):
     """Yields (same reference, products along the axes) for each pair of successive fits to what stands."""
     stands, last = standing(sequence), {}
+    step = 1 / float((sequence / "intrinsics.txt").read_text().split()[7])  # seconds of a frame
     with open(out / "objects.csv", newline="") as file:
         rows = [row for row in csv.DictReader(file) if row["vx"]]
     for row in rows:
@@ -48,15 +49,10 @@ def products(sequence, out):
         error = np.array([float(row["v" + a]) / float(row["sigma_v" + a]) for a in AXES])
         span = float(row["interval_s"])
         if track in last and last[track][0] == frame - 1:
-            _, before, span_before, frame_before_seconds = last[track]
-            same = abs(span - span_before - frame_before_seconds) < 0.1 * frame_before_seconds
+            _, before, span_before = last[track]
+            same = abs(span - span_before - step) < 0.1 * step
             yield same, np.where(np.maximum(abs(error), abs(before)) < GROSS, error * before, np.nan)
-        last[track] = (frame, error, span, seconds_of_a_frame(sequence))
-
-
-def seconds_of_a_frame(sequence):
-    """Of a sequence at a constant rate, which its intrinsics.txt names."""
-    return 1 / float((sequence / "intrinsics.txt").read_text().split()[7])
+        last[track] = (frame, error, span)
 
 
 def main(dot_run, sequences):

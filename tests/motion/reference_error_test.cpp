@@ -83,6 +83,29 @@ TEST(ReferenceError, IsWhatItsFitsTell) {
   EXPECT_NEAR(left / kRuns, 1 - share + unknown, 0.04);
 }
 
+// Three fits within a tenth of a second tell as much as one.
+TEST(ReferenceError, IsTheSameAtAnyFrameRate) {
+  const auto after = [](int rate) {
+    ReferenceError error;
+    MotionEstimate e = fit({0.3, -0.1, 2}, 1);
+    for (int frames = 1; frames <= rate / 10; ++frames) {
+      e.span_seconds = 1.0 * frames / rate;
+      e.span_frames = frames;
+      error.update(e);
+      error.predict(1.0 / rate, I);
+    }
+    e.span_seconds += 1.0 / rate;
+    e.span_frames += 1;
+    return *error.before(e);
+  };
+  const ReferenceError::Known slow = after(10);
+  EXPECT_GT(slow.error.z(), 0.3);
+  for (const int rate : {30, 60}) {
+    EXPECT_LT((after(rate).error - slow.error).norm(), 1e-9) << rate;
+    EXPECT_LT((after(rate).less - slow.less).norm(), 1e-9) << rate;
+  }
+}
+
 TEST(ReferenceError, TurnsWithTheCamera) {
   const Matrix3<double> R = dot::so3::exp(Vector3<double>(0.2, -0.7, 0.4));
   ReferenceError error, turned;

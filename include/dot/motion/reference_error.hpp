@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -9,6 +10,7 @@
 #include <Eigen/LU>
 
 #include "dot/motion/estimate.hpp"
+#include "dot/motion/turning.hpp"
 
 DOT_BEGIN_NAMESPACE
 
@@ -45,12 +47,13 @@ class ReferenceError {
     return Known{root * x_, R - root * variance_ * root};
   }
 
-  /// Updates by a fit in the axes of the belief.
+  /// Updates by a fit in the axes of the belief. Fits in close succession share their own errors, too, see Turning.
   void update(const MotionEstimate& fit) {
     if (!is_last(fit)) x_.setZero(), variance_.setIdentity();
     age_ = fit.span_seconds;
+    const double together = std::max(1.0, Turning::kIndependentSeconds * fit.span_frames / fit.span_seconds);
     const Matrix3<double> root = square_root(kShare * fit.covariance), C = variance_ * root;
-    const Matrix3<double> K = C * (root * C + (1 - kShare) * fit.covariance).inverse();
+    const Matrix3<double> K = C * (root * C + (1 - kShare) * together * fit.covariance).inverse();
     x_ += K * (fit.velocity - root * x_);
     const Matrix3<double> left = variance_ - K * C.transpose();
     variance_ = 0.5 * (left + left.transpose());

@@ -107,13 +107,14 @@ class FrameStore {
     constexpr double kGoldenRatio = 0.6180339887498949;
     row_.resize(static_cast<std::size_t>(width));
     const int count = height / kEvery + 1;
+    const double least = DepthDensifier::kSparse * count * width;  // pixels of dense depth
     int measured = 0;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count && measured < least; ++i) {  // of most depth a third of these rows is enough
       const double place = kGoldenRatio * i;
       rows(static_cast<int>((place - std::floor(place)) * height), row_.data());
       measured += static_cast<int>(std::count_if(row_.begin(), row_.end(), [](float q) { return q > 0; }));
     }
-    return measured < DepthDensifier::kSparse * count * width;
+    return measured < least;
   }
 
   /// Finds or allocates a frame without users, and moves it to the end.

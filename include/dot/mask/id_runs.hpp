@@ -40,7 +40,10 @@ struct IdRuns {
 
 namespace id_runs {
 
-/// End of the run of equal pixels that starts at `begin`.
+inline constexpr int kCacheLine = 64;  ///< bytes
+
+/// End of the run of equal pixels that starts at `begin`. Most of an image is such runs, and the image is new to the
+/// caches: what comes is fetched ahead.
 template <typename T>
 int end_of_run(const T* row, int begin, int width) {
   constexpr int step = sizeof(std::uint64_t) / sizeof(T);  // pixels that are compared at once
@@ -50,10 +53,18 @@ int end_of_run(const T* row, int begin, int width) {
     std::memcpy(&next, row + from, sizeof next);
     return next ^ same;
   };
+  constexpr int kAtOnce = 128, kAhead = 2048;  // bytes
+  constexpr int block = kAtOnce / sizeof(T);
   int end = begin + 1;
-  while (end + 4 * step <= width &&
-         !(differs(end) | differs(end + step) | differs(end + 2 * step) | differs(end + 3 * step)))
-    end += 4 * step;
+  for (; end + block <= width; end += block) {
+#if defined(__GNUC__)
+    for (int k = 0; k < kAtOnce; k += kCacheLine)
+      __builtin_prefetch(reinterpret_cast<const char*>(row + end) + kAhead + k);
+#endif
+    T any = 0;
+    for (int k = 0; k < block; ++k) any = static_cast<T>(any | (row[end + k] ^ row[begin]));
+    if (any) break;
+  }
   while (end + step <= width && !differs(end)) end += step;
   while (end < width && row[end] == row[begin]) ++end;
   return end;

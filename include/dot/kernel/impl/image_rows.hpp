@@ -12,12 +12,17 @@ namespace dot::kernel {
 
 /// Calls body(in + i, out + j) for runs of V::W results. The last results may be computed twice.
 /// @param kRows of input; a result uses kTaken values of each.
+///
+/// A large image is in no cache when it is written. What comes is fetched ahead, also of the next row.
 template <typename V, int kRows, int kTaken, typename In, typename Body>
 void for_runs(const In* const (&in)[kRows], int n, float* out, Body&& body) {
-  constexpr int W = V::W;
+  constexpr int W = V::W, kAhead = 512;  // results
   const In* at[kRows];
   const auto run = [&](int x) {
     for (int k = 0; k < kRows; ++k) at[k] = in[k] + kTaken * x;
+#if defined(__GNUC__)
+    __builtin_prefetch(out + x + kAhead, 1);
+#endif
     body(at, out + x);
   };
   if (n >= W) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
 //
-// Built with -mavx512f -mavx512dq -mfma. See avx2.cpp about included headers.
+// Built with -mavx512f -mavx512bw -mavx512dq -mfma. See avx2.cpp about included headers.
 #include <immintrin.h>
 
 #include "dot/kernel/impl/kernels_of.hpp"

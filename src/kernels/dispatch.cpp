@@ -19,7 +19,10 @@ const kernel::Kernels* available(KernelVariant variant) {
   switch (variant) {
 #if defined(DOT_X86_KERNELS)
     case KernelVariant::Avx512:
-      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") ? &kernel::avx512 : nullptr;
+      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                     __builtin_cpu_supports("avx512dq")
+                 ? &kernel::avx512
+                 : nullptr;
     case KernelVariant::Avx2:
       return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? &kernel::avx2 : nullptr;
 #endif

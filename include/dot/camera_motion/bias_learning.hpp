@@ -6,8 +6,8 @@
 #include <cstddef>
 
 #include "dot/align/aligner.hpp"
+#include "dot/align/residual_sums.hpp"
 #include "dot/camera/depth_bias.hpp"
-#include "dot/camera_motion/residual_sums.hpp"
 #include "dot/statistics/chi2.hpp"
 
 DOT_BEGIN_NAMESPACE

@@ -11,12 +11,12 @@
 
 #include "dot/align/aligner.hpp"
 #include "dot/align/minima.hpp"
+#include "dot/align/sharper_image.hpp"
 #include "dot/camera_motion/camera_step.hpp"
 #include "dot/camera_motion/motion_choice.hpp"
 #include "dot/camera_motion/search.hpp"
 #include "dot/camera_motion/second_motion.hpp"
 #include "dot/camera_motion/settings.hpp"
-#include "dot/camera_motion/sharper_image.hpp"
 #include "dot/camera_motion/unexpected_turn.hpp"
 #include "dot/statistics/median.hpp"
 

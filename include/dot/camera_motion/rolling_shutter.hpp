@@ -8,7 +8,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "dot/camera_motion/residual_sums.hpp"
+#include "dot/align/residual_sums.hpp"
 #include "dot/statistics/chi2.hpp"
 
 DOT_BEGIN_NAMESPACE

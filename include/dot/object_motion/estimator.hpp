@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dot/align/minima.hpp"
-#include "dot/camera_motion/sharper_image.hpp"
+#include "dot/align/sharper_image.hpp"
 #include "dot/motion/disparity.hpp"
 #include "dot/motion/known_velocity.hpp"
 #include "dot/object_motion/displacement_covariance.hpp"

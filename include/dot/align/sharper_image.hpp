@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "dot/camera_motion/residual_sums.hpp"
+#include "dot/align/residual_sums.hpp"
 
 DOT_BEGIN_NAMESPACE
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The dot authors
 // SPDX-License-Identifier: MIT
-#include "dot/camera_motion/sharper_image.hpp"
+#include "dot/align/sharper_image.hpp"
 
 #include <gtest/gtest.h>
 

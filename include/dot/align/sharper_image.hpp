@@ -40,32 +40,46 @@ struct SharperImage {
                       add(p.weight, p.gradient, Vector2<double>(steeper * before));
                     });
     };
-    std::array<Along, kDirections> directions;
-    for (int k = 0; k < kDirections; ++k) {
-      const double angle = 3.14159265358979323846 * k / kDirections;
-      directions[static_cast<std::size_t>(k)].direction = {std::cos(angle), std::sin(angle)};
-    }
     // Most images are not sharper, as a few points tell without the error of rho.
     Gradients few;
     visit(kFewPoints, [&](double weight, const Vector2<double>& gradient, const Vector2<double>& before) {
       few.add(weight, gradient, before);
     });
+    const Directions& directions = all_directions();
     if (std::none_of(directions.begin(), directions.end(),
-                     [&](const Along& along) { return few.are_steeper_along(along.direction); }))
+                     [&](const Vector2<double>& d) { return few.are_steeper_along(d); }))
       return 1;
+    std::array<Along, kDirections> sums;
+    std::transform(directions.begin(), directions.end(), sums.begin(),
+                   [](const Vector2<double>& d) { return Along{d}; });
     visit(kPoints, [&](double weight, const Vector2<double>& gradient, const Vector2<double>& before) {
-      for (Along& along : directions) along.add(weight, gradient, before);
+      for (Along& along : sums) along.add(weight, gradient, before);
     });
     double rho = 1;
-    for (const Along& along : directions) rho = std::max(rho, along.rho_beyond_chance());
+    for (const Along& along : sums) rho = std::max(rho, along.rho_beyond_chance());
     return rho * rho;
   }
 
  private:
   static constexpr std::size_t kFewPoints = 100, kPoints = 1000;  ///< that are looked at, up to twice as many
-  static constexpr int kDirections = 8;
+  static constexpr std::size_t kDirections = 8;
   static constexpr double kLargest = 10;  ///< rho, where the reference has no gradients
   static constexpr double kSigmas = 3;    ///< of rho, that may be chance
+
+  using Directions = std::array<Vector2<double>, kDirections>;  ///< of length 1, over half a turn
+
+  /// They are computed once, as each object in each frame needs them.
+  static const Directions& all_directions() {
+    static const Directions all = [] {
+      Directions out;
+      for (std::size_t k = 0; k < kDirections; ++k) {
+        const double angle = 3.14159265358979323846 * static_cast<double>(k) / kDirections;
+        out[k] = {std::cos(angle), std::sin(angle)};
+      }
+      return out;
+    }();
+    return all;
+  }
 
   /// Sums over the points of w g g^T, of the symmetric part of w g g'^T and of w g' g'^T: their uu, uv and vv.
   struct Gradients {
@@ -91,7 +105,7 @@ struct SharperImage {
 
   /// Sums over the points along one direction in the image.
   struct Along {
-    Vector2<double> direction;
+    Vector2<double> direction = Vector2<double>::Zero();
     Vector3<double> sum = Vector3<double>::Zero();       ///< of w g^2, w g g', w g'^2
     Matrix3<double> products = Matrix3<double>::Zero();  ///< of these terms
 

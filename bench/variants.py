@@ -50,6 +50,7 @@ Writes OUT/NAME-KIND for each folder SEQ of the layout of docs/evaluation.md. KI
                 edges that reach up to three pixels too far, and flicker
   flying        depth of a time-of-flight camera: pixels at edges lie anywhere between both surfaces
   wide          masks that reach 6 pixels beyond their objects, nearer ones over farther ones
+  shared        one mask for two objects that touch in the image and move differently, in all frames
   motionblur    exposures of half the time between two frames: what moves in the image is smeared
   jolt          in every eighth frame a camera that turns by 1.5 degrees during the exposure
   defocus       a lens that hunts for its focus: sharp, and half a second later a blur of 4 pixels (sigma), and back
@@ -67,6 +68,7 @@ import numpy as np
 
 import blur
 import depth_sensors
+import shared_masks
 import weather
 
 IMAGES = ("rgb", "depth", "depth_true", "instance", "masks")
@@ -292,6 +294,8 @@ def make(kind, out, sequence):
         lens = blur.lens(kind, sequence, frames, intrinsics, random)
     if kind in weather.KINDS:
         sky = weather.sky(kind, sequence, frames, intrinsics, random)
+    if kind in shared_masks.KINDS:
+        unite = shared_masks.uniter(sequence, frames)
     for name in IMAGES:
         for path in sorted(glob.glob(f"{sequence}/{name}/*")):
             stem, suffix = os.path.splitext(os.path.basename(path))
@@ -313,6 +317,8 @@ def make(kind, out, sequence):
                     image = lens(image, int(stem))
                 elif name in ("rgb", "depth") and kind in weather.KINDS:
                     image = sky(image, name, int(stem))
+                elif name == "masks" and kind in shared_masks.KINDS:
+                    image = unite(image, int(stem))
                 elif kind == "wide" and name == "masks":
                     image = widened(image, cv2.imread(f"{sequence}/depth/{stem}.png", cv2.IMREAD_UNCHANGED))
                 elif kind in ("bands", "overlay") and name == "rgb":
@@ -359,7 +365,7 @@ def make(kind, out, sequence):
 def main():
     kinds = "half third mirror crop slow twice reverse late skip1 skip2 skip3 bands flicker noise grain dark shake rolling"
     kinds += " bonnet caption letterbox tilt stutter overlay near bias wide"
-    others = (*depth_sensors.KINDS, *blur.KINDS, *weather.KINDS)
+    others = (*depth_sensors.KINDS, *blur.KINDS, *weather.KINDS, *shared_masks.KINDS)
     if len(sys.argv) < 4 or sys.argv[1] not in (*kinds.split(), *others):
         sys.exit(__doc__)
     for sequence in sys.argv[3:]:

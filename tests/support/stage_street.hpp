@@ -30,7 +30,7 @@ struct StageStreet : StageFilm {
   void play(bool segmented) {
     tracks.drop_lost();
     tracks.predict(tracks.all(), interval(), setup);
-    tracks.assign(observations, setup.mask);
+    tracks.assign(observations, setup);
     tracks.follow(tracks.all(), interval(), observations, setup);
     too_small = tracks.update_masks(interval(), cur, segmented, observations, discovery, setup);
     labeller.label(tracks.far_to_near(), cur, camera_step, segmented, camera, setup.noise, setup.mask);

@@ -13,6 +13,7 @@
 #include "dot/image/image.hpp"
 #include "dot/image/morphology.hpp"
 #include "dot/mask/centre.hpp"
+#include "dot/mask/fill_unmeasured.hpp"
 #include "dot/mask/mask.hpp"
 
 DOT_BEGIN_NAMESPACE
@@ -50,7 +51,7 @@ class BoxSilhouette {
     const auto least = static_cast<float>(q / (1 + reach) - slack);
     const auto most = reach < 1 ? static_cast<float>(q / (1 - reach) + slack) : std::numeric_limits<float>::infinity();
     if (!classify(inverse_depth, mask, least, most)) return false;
-    fill_unmeasured();
+    fill_unmeasured(kUnmeasured, kinds_, distances_);
     flood_from_border();
     keep_the_rest();
     fill_mask(
@@ -116,24 +117,6 @@ class BoxSilhouette {
       }
     }
     return others > 0;
-  }
-
-  /// Gives each pixel without a measurement the kind of the nearest one that has it, by distances along rows and
-  /// columns.
-  void fill_unmeasured() {
-    const int width = kinds_.width(), height = kinds_.height();
-    distances_.resize(width, height);
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) distances_(x, y) = kinds_(x, y) == kUnmeasured ? width + height : 0;
-    const auto take = [&](int x, int y, int from_x, int from_y) {
-      if (!kinds_.contains(from_x, from_y) || distances_(from_x, from_y) + 1 >= distances_(x, y)) return;
-      distances_(x, y) = distances_(from_x, from_y) + 1;
-      kinds_(x, y) = kinds_(from_x, from_y);
-    };
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) take(x, y, x - 1, y), take(x, y, x, y - 1);
-    for (int y = height - 1; y >= 0; --y)
-      for (int x = width - 1; x >= 0; --x) take(x, y, x + 1, y), take(x, y, x, y + 1);
   }
 
   /// Marks what is not the object's and is connected to the box's border.

@@ -14,6 +14,7 @@
 #include "dot/frame/validate.hpp"
 #include "dot/mask/box_silhouette.hpp"
 #include "dot/mask/centre.hpp"
+#include "dot/mask/depth_gap.hpp"
 #include "dot/mask/id_runs.hpp"
 #include "dot/mask/mask.hpp"
 #include "dot/mask/shared_pixels.hpp"
@@ -29,17 +30,29 @@ struct Observation {
   bool always_dynamic = false;    ///< flagged by the caller
   bool discovered = false;        ///< found by its motion
   bool assigned = false;          ///< it belongs to a track
+  std::uint32_t part_of = 0;      ///< id of the track whose mask it is a part of, see MaskParts; 0: it is no part
   std::array<int, 4> cut_from{};  ///< box that the mask was cut from, see BoxSilhouette; 0: it was not
   Vector3<double> centre = Vector3<double>::Zero();  ///< of the mask at its median depth, metres; zero: no depth
+
+  /// Whether a track may still continue with it. @param of_discovery whether it is to be a discovered one.
+  bool is_open(bool of_discovery) const { return !assigned && part_of == 0 && discovered == of_discovery; }
 
   /// Of `centre`, 1/m; 0: no depth.
   double inverse_depth() const { return centre.z() > 0 ? 1 / centre.z() : 0.0; }
 };
 
+/// The parts of a mask that may show two objects, one behind the other.
+struct TwoParts {
+  const Observation* whole = nullptr;  ///< the mask, borrowed
+  std::array<Mask, 2> parts;           ///< the nearer and the farther one
+  std::array<Vector3<double>, 2> centres = {Vector3<double>::Zero(), Vector3<double>::Zero()};  ///< as of Observation
+};
+
 /// The observations of one frame. Their addresses do not change while they are in the list.
 class Observations {
  public:
-  RecyclingList<Observation> list;  ///< those of the segmentation, and discovered ones
+  RecyclingList<Observation> list;       ///< those of the segmentation, and discovered ones
+  RecyclingList<TwoParts> in_two_parts;  ///< of the segmentation's that may show two objects
 
   /// Adds an observation for the caller to fill in.
   Observation& add() {
@@ -124,7 +137,29 @@ class Observations {
     for (Observation& o : list) o.centre = centre_of(o.mask, inverse_depth, camera, values_);
     const bool may_overlap = std::any_of(masks.instances.begin(), masks.instances.end(),
                                          [](const Instance& instance) { return instance.mask.data != nullptr; });
-    if (!may_overlap) return;  // an id image has one id for each pixel
+    if (may_overlap) resolve_overlaps(inverse_depth, camera, noise);  // an id image has one id for each pixel
+    in_two_parts.clear();
+    for (const Observation& o : list) {
+      TwoParts& two = in_two_parts.push_back();
+      if (!gap_.find(inverse_depth, camera, noise, o.mask, two.parts[0], two.parts[1])) {
+        in_two_parts.pop_back();
+        continue;
+      }
+      two.whole = &o;
+      for (std::size_t i : {0, 1}) two.centres[i] = centre_of(two.parts[i], inverse_depth, camera, values_);
+    }
+  }
+
+  /// Forgets the observations. Keeps the memory.
+  void clear() {
+    list.clear();
+    in_two_parts.clear();
+  }
+
+ private:
+  /// Lets each pixel belong to one of the masks, and cuts boxes.
+  template <typename Camera, typename Noise>
+  void resolve_overlaps(const Image<float>& inverse_depth, const Camera& camera, const Noise& noise) {
     drop_covered();
     cut_boxes(inverse_depth, camera, noise);
     if (!separate_all(inverse_depth, noise)) return;
@@ -132,7 +167,6 @@ class Observations {
     for (Observation& o : list) o.centre = centre_of(o.mask, inverse_depth, camera, values_);
   }
 
- private:
   /// Drops masks that show little besides what those show to which they give way.
   void drop_covered() {
     left_.clear();
@@ -204,6 +238,7 @@ class Observations {
 
   IdRuns runs_;
   BoxSilhouette silhouette_;
+  DepthGap gap_;
   std::vector<const Observation*> rivals_;  ///< with pixels in the box that is cut
   Mask scratch_;
   std::vector<float> values_;

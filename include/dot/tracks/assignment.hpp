@@ -36,7 +36,7 @@ class Assignment {
   void by_place(const std::vector<Track*>& tracks, Observations& observations, const MaskSettings& settings) {
     open_.clear(), workspace_.pairs.clear();
     for (Observation& o : observations.list)
-      if (!o.assigned && !o.discovered) open_.push_back(&o);
+      if (o.is_open(false)) open_.push_back(&o);
     for (std::size_t i = 0; i < open_.size(); ++i) {
       const Vector3<double>& now = open_[i]->centre;
       if (!(now.z() > 0)) continue;
@@ -56,7 +56,7 @@ class Assignment {
   }
 
  private:
-  static bool is_open_discovery(const Observation& o) { return o.discovered && !o.assigned; }
+  static bool is_open_discovery(const Observation& o) { return o.is_open(true); }
 
   void assign_kind(const std::vector<Track*>& tracks, Observations& observations, bool discovered,
                    const MaskSettings& settings) {
@@ -64,8 +64,7 @@ class Assignment {
     for (const Track* t : tracks)
       predicted_.push_back({&t->outline.warped.mask, t->expected.inverse_depth(), t->motion.size});
     for (Observation& o : observations.list)
-      if (!o.assigned && o.discovered == discovered)
-        open_.push_back(&o), observed_.push_back({&o.mask, o.inverse_depth()});
+      if (o.is_open(discovered)) open_.push_back(&o), observed_.push_back({&o.mask, o.inverse_depth()});
     if (open_.empty() || predicted_.empty()) return;
     assign_partners(tracks, associate(predicted_, observed_, settings, workspace_));
   }

@@ -24,11 +24,12 @@ struct Identity {
 
 /// One object over time.
 struct Track {
-  Identity identity;       ///< its numbers
-  TrackedOutline outline;  ///< where it is
-  ObjectMotion motion;     ///< how it moved
-  ObjectBelief belief;     ///< whether it moves
-  Candidacy candidacy;     ///< used for discovered objects
+  Identity identity;          ///< its numbers
+  TrackedOutline outline;     ///< where it is
+  ObjectMotion motion;        ///< how it moved
+  ObjectBelief belief;        ///< whether it moves
+  Candidacy candidacy;        ///< used for discovered objects
+  std::uint32_t part_of = 0;  ///< id of the track whose mask it is a part of, see MaskParts; 0: it is no part
 
   // State in the current frame.
   Observation* observed = nullptr;  ///< the observation assigned to it
@@ -67,6 +68,7 @@ struct Track {
     identify(o);
     segmented = !o.discovered;
     identity.discovered = candidacy.is_candidate = o.discovered;
+    part_of = o.part_of;
     motion.step.fit.reason = Reason::New;
   }
 
@@ -86,15 +88,18 @@ struct Track {
     return candidacy.is_candidate && (belief.state == State::Static || candidacy.has_failed());
   }
 
+  /// Whether it is a part of another track's mask. Labels and results then show only that one.
+  bool is_part() const { return part_of != 0; }
+
   /// Whether labels and results show it with its pixels.
-  bool is_shown() const { return outline.visible && !lost && !candidacy.is_candidate; }
+  bool is_shown() const { return outline.visible && !lost && !candidacy.is_candidate && !is_part(); }
 
   /// Whether results name it. Of a discovered object that is a candidate again they say that it is hidden.
-  bool is_reported() const { return !candidacy.is_candidate || candidacy.was_reported; }
+  bool is_reported() const { return !is_part() && (!candidacy.is_candidate || candidacy.was_reported); }
 
   /// Whether no part of it is visible, but a part that an earlier mask showed may come out.
   bool may_come_out() const {
-    return !outline.visible && !outline.hidden_part.mask.empty() && !lost && !candidacy.is_candidate &&
+    return !outline.visible && !outline.hidden_part.mask.empty() && !lost && !candidacy.is_candidate && !is_part() &&
            !outline.contradicted;
   }
 

@@ -12,6 +12,7 @@
 #include "dot/object_motion/first_fit.hpp"
 #include "dot/object_motion/object_tracker.hpp"
 #include "dot/tracks/assignment.hpp"
+#include "dot/tracks/mask_parts.hpp"
 #include "dot/tracks/setup.hpp"
 #include "dot/tracks/track.hpp"
 
@@ -33,6 +34,7 @@ class Tracks {
     PaintedImage<std::uint8_t> nearer;  ///< where objects are that are nearer than the one that is followed
     std::size_t painted = 0;            ///< so many were looked at, the nearest first
     int round = 0;                      ///< in which those known were painted
+    std::uint32_t painted_for = 0;      ///< Track::part_of of the one that was followed
   };
 
   /// The tracker of one object. @param noise may differ from the setup's. All arguments are borrowed.
@@ -60,7 +62,7 @@ class Tracks {
   void predict(Track& track, const Interval& interval, const Setup& setup, Worker& worker) const;
 
   /// Assigns the observations of the current frame to the tracks that they continue.
-  void assign(Observations& observations, const MaskSettings& settings);
+  void assign(Observations& observations, const Setup& setup);
 
   /// Estimates motions and states of `tracks` (Algorithm 1 of the paper, with `continue` instead of `break`). The
   /// nearest comes first, because it hides parts of the others. Objects are followed in parallel, but for those that
@@ -84,7 +86,7 @@ class Tracks {
 
   /// Continues hidden tracks with observations that have no track.
   void find_again(Observations& observations, const MaskSettings& settings) {
-    assignment_.by_place(all(), observations, settings);
+    assignment_.by_place(that([](const Track& t) { return !t.is_part(); }), observations, settings);
   }
 
   /// The tracks that are shown or may come out, far to near. Predicted masks come before those of a network, so that
@@ -131,7 +133,10 @@ class Tracks {
                    const Discovery<Camera, Noise>& discovery, const Setup& setup, Worker& worker) const;
   void align_backwards(Track& t, const Interval& interval, const Setup& setup, Worker& worker) const;
   void paint_nearer(std::size_t object, int width, int height, Worker& worker) const;
+  static bool may_hide(const Track& nearer, const Track& hidden);
   static bool may_touch(const Track& a, const Track& b);
+  void start_with(Observation& o);
+  void divide_masks(Observations& observations, const Setup& setup);
   void choose_followed(int most);
   void drop_surplus(std::size_t most);
 
@@ -140,11 +145,13 @@ class Tracks {
 
   std::vector<Worker> workers_;
   Assignment assignment_;
-  List selected_;                        ///< result of `that`
-  std::vector<const PointSet*> points_;  ///< result of `points_of`
-  List order_;                           ///< nearest first
-  std::vector<int> rounds_;              ///< for each in `order_`: the round that follows it
-  std::vector<std::size_t> at_once_;     ///< places in `order_` of one round
+  MaskParts parts_;
+  Vector3<double> camera_velocity_ = Vector3<double>::Zero();  ///< m/s, axes of the newest frame
+  List selected_;                                              ///< result of `that`
+  std::vector<const PointSet*> points_;                        ///< result of `points_of`
+  List order_;                                                 ///< nearest first
+  std::vector<int> rounds_;                                    ///< for each in `order_`: the round that follows it
+  std::vector<std::size_t> at_once_;                           ///< places in `order_` of one round
 };
 
 DOT_END_NAMESPACE

@@ -30,9 +30,9 @@ void LateMasks<Camera, Classifier, Noise, Aligner>::apply(AwaitedFrames::const_i
   const AwaitedFrame& then = *found;
   const Setup& setup = stages.setup;
   recall(then, now, stages);
-  stages.observations.list.clear();
+  stages.observations.clear();
   stages.observations.read(masks, then.frame->inverse_depth(), setup.camera, setup.noise);
-  stages.tracks.assign(stages.observations, setup.mask);
+  stages.tracks.assign(stages.observations, setup);
   stages.tracks.find_again(stages.observations, setup.mask);
   const std::size_t known = stages.tracks.size();
   stages.tracks.start(stages.observations, setup);

@@ -199,7 +199,7 @@ void ObjectTracker<Camera, Noise, Aligner>::set_starts(const Following& f, const
   nearest.clear();
   const Vector3<double> expected = T_c * T_o_predicted * r.T_obj_now_ref * r.anchor;
   for (const Observation& o : f.places.all->list)
-    if (!o.assigned && o.discovered == f.places.discovered && o.centre.z() > 0)
+    if (o.is_open(f.places.discovered) && o.centre.z() > 0)
       nearest.push_back({(o.centre - expected).squaredNorm(), &o});
   if (nearest.size() > kNearestMasks) {
     std::nth_element(nearest.begin(), nearest.begin() + kNearestMasks - 1, nearest.end());

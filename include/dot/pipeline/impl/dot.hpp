@@ -84,7 +84,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
 
   // T_c from the background of the previous frame, or the host's. Meanwhile the masks of the network are read.
   CameraStep camera_step;
-  observations_.list.clear();
+  observations_.clear();
   threads.run(segmented ? 2 : 1, [&](int, int task) {
     if (task == 0) {
       camera_step = track_camera(frame, seconds);
@@ -105,7 +105,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::label_objects(const Frame& frame) 
   drop_lost();
   learn_and_predict(interval);
   if (options_.discover_unknown) discover(cur, camera_step);
-  tracks_.assign(observations_, options_.mask);
+  tracks_.assign(observations_, setup());
   ends(Stage::Masks);
 
   // T_o of each object, the nearest first, and its state.

@@ -14,7 +14,7 @@ DOT_BEGIN_NAMESPACE
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::prepare(const Aligner& aligner, const Threads& threads) {
   while (workers_.size() < static_cast<std::size_t>(std::max(1, threads.count)))
-    workers_.push_back({{aligner, {}, {}, {}, {}, {}}, {}, {}, {}, 0, 0});
+    workers_.push_back({{aligner, {}, {}, {}, {}, {}}, {}, {}, {}, 0, 0, 0});
 }
 
 /// The tracks for which `condition` holds, by id; valid until the next call.
@@ -31,7 +31,7 @@ template <typename Camera, typename Classifier, typename Noise, typename Aligner
 const std::vector<const PointSet*>& Tracks<Camera, Classifier, Noise, Aligner>::points_of(double timestamp) {
   points_.clear();
   for (const Track& t : tracks_) {
-    if (t.identity.discovered) continue;
+    if (t.identity.discovered || t.is_part()) continue;
     for (const ObjectReference& r : t.motion.references)
       if (r.timestamp == timestamp && r.points.size() > 0) points_.push_back(&r.points);
   }
@@ -89,9 +89,26 @@ void Tracks<Camera, Classifier, Noise, Aligner>::predict(Track& t, const Interva
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
-void Tracks<Camera, Classifier, Noise, Aligner>::assign(Observations& observations, const MaskSettings& settings) {
-  assignment_.by_overlap(all(), observations, settings);
-  drop_covered_candidates(all(), settings.min_containment);
+void Tracks<Camera, Classifier, Noise, Aligner>::assign(Observations& observations, const Setup& setup) {
+  assignment_.by_overlap(that([](const Track& t) { return !t.is_part(); }), observations, setup.mask);
+  drop_covered_candidates(all(), setup.mask.min_containment);
+  divide_masks(observations, setup);
+}
+
+/// Divides the masks that show two objects. The track of such a mask goes on with the motion of its larger part.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::divide_masks(Observations& observations, const Setup& setup) {
+  for (const MaskParts::Division& d :
+       parts_.assign(all(), observations, camera_velocity_, setup.estimator.prior.rotation, setup.mask)) {
+    Observation& observed = *d.whole->observed;
+    std::swap(static_cast<ClassifiedTrack&>(*d.whole), static_cast<ClassifiedTrack&>(*d.part));
+    std::swap(d.whole->identity, d.part->identity);
+    std::swap(d.whole->part_of, d.part->part_of);
+    d.whole->assign(observed);
+    d.part->observed = nullptr;
+    d.part->segmented = false;
+    d.part->lost = true;
+  }
 }
 
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
@@ -103,7 +120,8 @@ void Tracks<Camera, Classifier, Noise, Aligner>::follow(const List& tracks, cons
     return a != b ? a > b : l->identity.id < r->identity.id;
   });
   const auto waits = [&](std::size_t nearer, std::size_t object) {
-    return !order_[nearer]->segmented && may_touch(*order_[nearer], *order_[object]);
+    const Track &t = *order_[nearer], &hidden = *order_[object];
+    return !t.segmented && may_hide(t, hidden) && may_touch(t, hidden);
   };
   const int rounds = rounds_of(order_.size(), waits, rounds_);
   for (Worker& w : workers_) w.painted = 0;
@@ -129,17 +147,28 @@ void Tracks<Camera, Classifier, Noise, Aligner>::paint_nearer(std::size_t object
   const auto is_known = [&](std::size_t nearer, int round) {
     return order_[nearer]->segmented || rounds_[nearer] < round;
   };
+  const Track& hidden = *order_[object];
   const auto paint = [&](std::size_t nearer) {
     const Track& t = *order_[nearer];  // if it is segmented, another thread may be following it
-    if (!t.candidacy.is_candidate && (t.observed || t.motion.step.fit.ok())) worker.nearer.paint(t.newest_mask(), 255);
+    if (!t.candidacy.is_candidate && may_hide(t, hidden) && (t.observed || t.motion.step.fit.ok()))
+      worker.nearer.paint(t.newest_mask(), 255);
   };
   const int round = rounds_[object];
-  if (worker.painted == 0 || object < worker.painted) worker.nearer.clear(width, height), worker.painted = 0;
+  const bool starts_again = worker.painted == 0 || object < worker.painted || worker.painted_for != hidden.part_of;
+  if (starts_again) worker.nearer.clear(width, height), worker.painted = 0;
+  worker.painted_for = hidden.part_of;
   for (std::size_t nearer = 0; nearer < worker.painted; ++nearer)
     if (!is_known(nearer, worker.round) && is_known(nearer, round)) paint(nearer);
   for (; worker.painted < object; ++worker.painted)
     if (is_known(worker.painted, round)) paint(worker.painted);
   worker.round = round;
+}
+
+/// Whether a nearer track counts as hiding another one. A part of a mask is hidden by its other part instead of by the
+/// whole. It hides no other object: the whole does.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+bool Tracks<Camera, Classifier, Noise, Aligner>::may_hide(const Track& nearer, const Track& hidden) {
+  return nearer.is_part() ? nearer.part_of == hidden.part_of : nearer.identity.id != hidden.part_of;
 }
 
 /// Whether one object may hide a part of the other. Compares their predicted and observed outlines, with a margin for
@@ -171,7 +200,7 @@ bool Tracks<Camera, Classifier, Noise, Aligner>::is_out_of_sight(const Track& t,
   if (t.observed || !is_hidden_or_outside || comes_out) return false;
   if (!t.followed || !t.belief.has_velocity() || t.motion.references.empty()) return false;
   return std::none_of(observations.list.begin(), observations.list.end(),
-                      [&](const Observation& o) { return !o.assigned && o.discovered == t.identity.discovered; });
+                      [&](const Observation& o) { return o.is_open(t.identity.discovered); });
 }
 
 /// Follows one object: estimates its step, updates its belief and moves all of it into the current frame. Outlines of

@@ -15,9 +15,12 @@ int Tracks<Camera, Classifier, Noise, Aligner>::update_masks(const Interval& int
                                                              bool segmented, Observations& observations,
                                                              const Discovery<Camera, Noise>& discovery,
                                                              const Setup& setup) {
-  assignment_.by_overlap(that([](const Track& t) { return !t.observed; }), observations, setup.mask);
+  assignment_.by_overlap(that([](const Track& t) { return !t.observed && !t.is_part(); }), observations, setup.mask);
   find_again(observations, setup.mask);
   const int too_small = start(observations, setup);
+  const CameraStep& camera = interval.camera;
+  camera_velocity_ = camera.known() && camera.seconds > 0 ? Vector3<double>(-camera.T_cur_prev.t / camera.seconds)
+                                                          : Vector3<double>(Vector3<double>::Zero());
   setup.threads.run(static_cast<int>(tracks_.size()), [&](int worker, int i) {
     update_mask(tracks_[static_cast<std::size_t>(i)], interval, frame, segmented, discovery, setup,
                 workers_[static_cast<std::size_t>(worker)]);
@@ -53,7 +56,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::update_mask(Track& t, const Int
   if (t.observed || (follows && outline.visible && reason == Reason::None)) outline.last_seen = cur.timestamp;
   if (!outline.visible && !t.may_come_out() && reason == Reason::None) reason = Reason::Hidden;
   const bool was_shown = !t.identity.discovered || t.candidacy.was_confirmed() || t.is_rejected_candidate();
-  const double keep = was_shown ? setup.mask.keep_seconds : Candidacy::kSeconds;
+  const double keep = was_shown && !t.is_part() ? setup.mask.keep_seconds : Candidacy::kSeconds;
   t.candidacy.was_reported |= !t.candidacy.is_candidate;
   if (t.lost || cur.timestamp - outline.last_seen > keep) {
     t.lost = true;
@@ -105,17 +108,17 @@ int Tracks<Camera, Classifier, Noise, Aligner>::start(Observations& observations
   int too_small = 0, candidates = 0;
   for (const Track& t : tracks_) candidates += t.candidacy.is_candidate && !t.is_rejected_candidate() && !t.lost;
   for (Observation& o : observations.list) {
-    if (o.assigned) continue;
+    if (o.assigned || o.part_of != 0) continue;
     if (o.discovered && ++candidates > Candidacy::kMost) continue;
     if (!o.discovered && o.mask.area < setup.mask.min_pixels) {
       ++too_small;
       continue;
     }
-    ClassifiedTrack& t = tracks_.push_back();
-    t.restart(next_id_++);
-    t.memory = {};
-    t.start(o);
+    start_with(o);
   }
+  divide_masks(observations, setup);
+  for (Observation& o : observations.list)
+    if (!o.assigned && o.part_of != 0) start_with(o);
   choose_followed(setup.estimator.settings.max_fitted);
   // At most twice as many tracks as instances are kept. The tracks that were not seen for longest are dropped.
   constexpr std::size_t kTracksOfInstance = 2;
@@ -123,7 +126,15 @@ int Tracks<Camera, Classifier, Noise, Aligner>::start(Observations& observations
   return too_small;
 }
 
-/// Selects the largest objects. Only their motion is estimated.
+template <typename Camera, typename Classifier, typename Noise, typename Aligner>
+void Tracks<Camera, Classifier, Noise, Aligner>::start_with(Observation& o) {
+  ClassifiedTrack& t = tracks_.push_back();
+  t.restart(next_id_++);
+  t.memory = {};
+  t.start(o);
+}
+
+/// Selects the largest objects, before parts of their masks. Only their motion is estimated.
 template <typename Camera, typename Classifier, typename Noise, typename Aligner>
 void Tracks<Camera, Classifier, Noise, Aligner>::choose_followed(int most) {
   const auto count = static_cast<std::size_t>(most);
@@ -132,7 +143,7 @@ void Tracks<Camera, Classifier, Noise, Aligner>::choose_followed(int most) {
   order_ = all();
   std::sort(order_.begin(), order_.end(), [&](const Track* l, const Track* r) {
     const int a = l->newest_mask().area, b = r->newest_mask().area;
-    return a != b ? a > b : l->identity.id < r->identity.id;
+    return std::make_tuple(l->is_part(), -a, l->identity.id) < std::make_tuple(r->is_part(), -b, r->identity.id);
   });
   for (std::size_t i = count; i < order_.size(); ++i) order_[i]->followed = false;
 }
@@ -143,8 +154,8 @@ void Tracks<Camera, Classifier, Noise, Aligner>::drop_surplus(std::size_t most) 
   order_ = all();
   std::sort(order_.begin(), order_.end(), [](const Track* l, const Track* r) {
     const bool l_seen = l->observed, r_seen = r->observed;
-    return std::make_tuple(l_seen, l->outline.last_seen, l->identity.id) >
-           std::make_tuple(r_seen, r->outline.last_seen, r->identity.id);
+    return std::make_tuple(!l->is_part(), l_seen, l->outline.last_seen, l->identity.id) >
+           std::make_tuple(!r->is_part(), r_seen, r->outline.last_seen, r->identity.id);
   });
   for (std::size_t i = most; i < order_.size(); ++i) order_[i]->lost = true;
 }

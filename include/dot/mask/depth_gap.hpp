@@ -43,7 +43,8 @@ class DepthGap {
     const double q = static_cast<double>(far_q_), gap = 1 / q - 1 / static_cast<double>(near_q_);
     const double slack = kSigmas * noise.pixel_sigma(q) / (q * q);
     const auto most = [&](double pixels) { return kDeepest * pixels / (focal * static_cast<double>(near_q_)) + slack; };
-    if (gap < most(std::sqrt(kLeastShare * mask.area))) return false;
+    // The nearer part is about as long as a square of its share of the area, at least.
+    if (gap < most(kOfSquare * std::sqrt(near_share_ * mask.area))) return false;
 
     classify(inverse_depth, mask);
     const Part nearer = part(mask, kNear, opened_), farther = part(mask, kFar, opened_);
@@ -62,7 +63,8 @@ class DepthGap {
 
  private:
   enum Kind : std::uint8_t { kUnmeasured, kNear, kFar };
-  static constexpr double kSigmas = 4;  ///< of a measurement, that are no difference of depth
+  static constexpr double kOfSquare = 0.9;  ///< less, as samples and pixels differ
+  static constexpr double kSigmas = 4;      ///< of a measurement, that are no difference of depth
 
   struct Part {
     int area = 0;     ///< pixels, without what is less than five pixels wide
@@ -94,6 +96,7 @@ class DepthGap {
       largest = ratio;
       far_q_ = values_[i];
       near_q_ = values_[i + 1 + few];
+      near_share_ = 1 - static_cast<double>(i + 1 + few) / count;
     }
     return largest > 1;
   }
@@ -101,11 +104,11 @@ class DepthGap {
   void classify(const Image<float>& inverse_depth, const Mask& mask) {
     const float border = 0.5f * (near_q_ + far_q_);
     kinds_.resize(mask.width(), mask.height());
-    for (int y = 0; y < mask.height(); ++y)
-      for (int x = 0; x < mask.width(); ++x) {
-        const float q = inverse_depth(mask.x + x, mask.y + y);
-        kinds_(x, y) = !(q > 0) ? kUnmeasured : q > border ? kNear : kFar;
-      }
+    for (int y = 0; y < mask.height(); ++y) {
+      const float* q = inverse_depth.row(mask.y + y) + mask.x;
+      std::uint8_t* kind = kinds_.row(y);
+      for (int x = 0; x < mask.width(); ++x) kind[x] = !(q[x] > 0) ? kUnmeasured : q[x] > border ? kNear : kFar;
+    }
     fill_unmeasured(kUnmeasured, kinds_, distances_);
   }
 
@@ -113,33 +116,50 @@ class DepthGap {
   Part part(const Mask& mask, Kind kind, Image<std::uint8_t>& pixels) {
     const int width = mask.width(), height = mask.height();
     pixels.resize(width, height);
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) pixels(x, y) = mask.pixels(x, y) && kinds_(x, y) == kind ? 255 : 0;
+    for (int y = 0; y < height; ++y) {
+      const std::uint8_t *set = mask.pixels.row(y), *is = kinds_.row(y);
+      std::uint8_t* row = pixels.row(y);
+      for (int x = 0; x < width; ++x) row[x] = is[x] == kind ? set[x] : 0;
+    }
     erode<2>(std::as_const(pixels).view(), rows_, pixels.view());
     dilate<2>(std::as_const(pixels).view(), rows_, pixels.view());
     Part out;
-    int left = width, right = -1, top = height, bottom = -1;
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) {
-        if (!pixels(x, y)) continue;
-        ++out.area;
-        left = std::min(left, x), right = std::max(right, x), top = std::min(top, y), bottom = std::max(bottom, y);
-        for (const auto& [u, v] : {std::pair{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
-          const bool inside = pixels.contains(u, v);
-          out.outline += !inside || !pixels(u, v);
-          out.outside += !inside || !mask.pixels(u, v);
-        }
+    // Sides between two pixels of which one is the part's, or one is the part's and the other is not the mask's.
+    nothing_.assign(static_cast<std::size_t>(width), 0);
+    const auto count_sides = [&out](const std::uint8_t* a, const std::uint8_t* a_mask, const std::uint8_t* b,
+                                    const std::uint8_t* b_mask, int n) {
+      int outline = 0, outside = 0;
+      for (int i = 0; i < n; ++i) {
+        outline += (a[i] ^ b[i]) & 1;
+        outside += ((a[i] & ~b_mask[i]) | (b[i] & ~a_mask[i])) & 1;
       }
-    out.extent = std::max(right - left, bottom - top) + 1;
+      out.outline += outline, out.outside += outside;
+    };
+    const std::uint8_t *above = nothing_.data(), *mask_above = nothing_.data();
+    for (int y = 0; y < height; ++y) {
+      const std::uint8_t *row = pixels.row(y), *mask_row = mask.pixels.row(y);
+      for (int x = 0; x < width; ++x) out.area += row[x] & 1;
+      const int at_border = (row[0] & 1) + (row[width - 1] & 1);
+      out.outline += at_border, out.outside += at_border;
+      count_sides(row, mask_row, row + 1, mask_row + 1, width - 1);
+      count_sides(row, mask_row, above, mask_above, width);
+      above = row, mask_above = mask_row;
+    }
+    count_sides(above, mask_above, nothing_.data(), nothing_.data(), width);
+    const std::array<int, 4> box = crop_by_rows(
+        {0, 0, width, height}, [&](int y) { return [row = pixels.row(y)](int x) { return row[x] != 0; }; });
+    out.extent = std::max(box[2], box[3]);
     return out;
   }
 
-  float near_q_ = 0, far_q_ = 0;  ///< inverse depth of both ends of the gap, 1/m
-  std::vector<float> values_;     ///< inverse depths of the mask, 1/m
-  Image<std::uint8_t> kinds_;     ///< a Kind for each pixel of the crop
-  Image<std::uint8_t> opened_;    ///< pixels of a part, without what is narrow
-  Image<int> distances_;          ///< scratch
-  Image<std::uint8_t> rows_;      ///< scratch
+  float near_q_ = 0, far_q_ = 0;       ///< inverse depth of both ends of the gap, 1/m
+  double near_share_ = 0;              ///< of the samples, nearer than the gap
+  std::vector<float> values_;          ///< inverse depths of the mask, 1/m
+  Image<std::uint8_t> kinds_;          ///< a Kind for each pixel of the crop
+  Image<std::uint8_t> opened_;         ///< pixels of a part, without what is narrow
+  std::vector<std::uint8_t> nothing_;  ///< a row without pixels
+  Image<int> distances_;               ///< scratch
+  Image<std::uint8_t> rows_;           ///< scratch
 };
 
 DOT_END_NAMESPACE

@@ -14,17 +14,27 @@ DOT_BEGIN_NAMESPACE
 inline void fill_unmeasured(std::uint8_t unmeasured, Image<std::uint8_t>& kinds, Image<int>& distances) {
   const int width = kinds.width(), height = kinds.height();
   distances.resize(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) distances(x, y) = kinds(x, y) == unmeasured ? width + height : 0;
+  int open = 0;
+  for (int y = 0; y < height; ++y) {
+    const std::uint8_t* kind = kinds.row(y);
+    int* distance = distances.row(y);
+    for (int x = 0; x < width; ++x) {
+      distance[x] = kind[x] == unmeasured ? width + height : 0;
+      open += kind[x] == unmeasured;
+    }
+  }
+  if (open == 0) return;
   const auto take = [&](int x, int y, int from_x, int from_y) {
     if (!kinds.contains(from_x, from_y) || distances(from_x, from_y) + 1 >= distances(x, y)) return;
     distances(x, y) = distances(from_x, from_y) + 1;
     kinds(x, y) = kinds(from_x, from_y);
   };
   for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) take(x, y, x - 1, y), take(x, y, x, y - 1);
+    for (int x = 0; x < width; ++x)
+      if (distances(x, y) > 0) take(x, y, x - 1, y), take(x, y, x, y - 1);
   for (int y = height - 1; y >= 0; --y)
-    for (int x = width - 1; x >= 0; --x) take(x, y, x + 1, y), take(x, y, x, y + 1);
+    for (int x = width - 1; x >= 0; --x)
+      if (distances(x, y) > 0) take(x, y, x + 1, y), take(x, y, x, y + 1);
 }
 
 DOT_END_NAMESPACE

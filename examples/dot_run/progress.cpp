@@ -106,7 +106,7 @@ void Summary::print_suspicions() const {
   if (source_.stereo) parts += " --stereo";
   for (const auto& [suspicion, frames] : suspicions_) {
     std::printf("input     %s (%.3g) in %d frames: ", dot::to_string(suspicion), figures_.at(suspicion), frames);
-    if (suspicion == dot::Suspicion::RollingShutter || suspicion == dot::Suspicion::UnsteadyScale)
+    if (suspicion == dot::Suspicion::RollingShutter || suspicion >= dot::Suspicion::UnsteadyScale)
       std::printf("see docs/failures.md\n");
     else
       std::printf("look at it with dot_run %s%s --check\n", source_.folder.c_str(), parts.c_str());

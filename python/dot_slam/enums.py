@@ -61,6 +61,7 @@ class Suspicion(IntEnum):
     FIXED_PART = 9  # a part of the image that does not move with the scene; share of the image, 0 to 1
     ROLLING_SHUTTER = 10  # rows that a turning camera shows turned against each other; first to last row, radians
     UNSTEADY_SCALE = 11  # depth whose scale differs from frame to frame, as that of a network; its sigma, relative
+    HOST_MOTION = 12  # camera_motion that the image refutes and that was not used; its error, pixels in the image
 
 
 class DepthSource(IntEnum):

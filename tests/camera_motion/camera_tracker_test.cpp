@@ -94,12 +94,67 @@ TEST(CameraTracker, TakesTheHostsMotion) {
   Drive drive;
   drive.next();
   dot::CameraMotion motion;
-  motion.T_cur_prev = SE3d::translation({0, 0, -0.3}).row_major();
+  motion.T_cur_prev = SE3d::translation({-0.02, 0, -0.1}).row_major();
   motion.covariance[0] = 1e-4;
   const CameraStep step = drive.next({motion, std::nullopt});
   EXPECT_EQ(step.status, CameraStatus::FromHost);
-  EXPECT_EQ(step.T_cur_prev.t, Vector3<double>(0, 0, -0.3));
+  EXPECT_EQ(step.T_cur_prev.t, Vector3<double>(-0.02, 0, -0.1));
   EXPECT_EQ(step.covariance(0, 0), 1e-4);
+  EXPECT_EQ(drive.tracker.host_error(), 0);
+}
+
+dot::CameraMotion host_motion(const SE3d& T_cur_prev, double sigma_metres, double sigma_radians) {
+  dot::CameraMotion motion;
+  motion.T_cur_prev = T_cur_prev.row_major();
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double sigma = k < 3 ? sigma_metres : sigma_radians;
+    motion.covariance[7 * k] = sigma * sigma;
+  }
+  return motion;
+}
+
+// The film moves by (0.02, 0, 0.1) m a frame.
+TEST(CameraTracker, DoesNotTakeAMotionThatTheImageRefutes) {
+  const SE3d right = SE3d::translation({-0.02, 0, -0.1});
+  dot::Vector6<double> off;
+  off << 0.01, 0, 0, 0, 0.01, 0;
+  const SE3d wrong[] = {
+      right.inverse(),                     // T_prev_cur
+      SE3d::translation({-0.1, 0.02, 0}),  // axes of a body: ahead, left, up
+      SE3d::translation({-20, 0, -100}),   // millimetres
+      SE3d::exp(off) * right,              // rough odometry
+  };
+  for (const SE3d& T : wrong) {
+    Drive drive;
+    drive.next();
+    for (int i = 0; i < 3; ++i) {
+      const CameraStep step = drive.next({host_motion(T, 1e-4, 1e-5), std::nullopt});
+      ASSERT_EQ(step.status, CameraStatus::Tracked) << T.t.transpose() << ", " << i;
+      EXPECT_LT(drive.error(step), 5e-3);
+      EXPECT_GT(drive.tracker.host_error(), 0.5);
+      EXPECT_LE(drive.tracker.host_error(), drive.camera.width());
+    }
+    EXPECT_EQ(drive.next({host_motion(drive.film.T_c(), 1e-3, 1e-4), std::nullopt}).status, CameraStatus::FromHost);
+    EXPECT_EQ(drive.tracker.host_error(), 0) << "of the last interval alone";
+  }
+}
+
+TEST(CameraTracker, TakesARoughMotionWhoseCovarianceSaysSo) {
+  dot::Vector6<double> off;
+  off << 0.01, 0, 0, 0, 0.01, 0;
+  Drive drive;
+  drive.next();
+  const dot::CameraMotion rough = host_motion(SE3d::exp(off) * SE3d::translation({-0.02, 0, -0.1}), 0.01, 0.01);
+  EXPECT_EQ(drive.next({rough, std::nullopt}).status, CameraStatus::FromHost);
+}
+
+// Whatever fills the image: a camera that is mounted for good does not move.
+TEST(CameraTracker, TakesThatACameraIsMounted) {
+  Drive drive;
+  drive.next();
+  for (int i = 0; i < 3; ++i)
+    EXPECT_EQ(drive.next({dot::CameraMotion{}, std::nullopt}).status, CameraStatus::FromHost) << i;
+  EXPECT_EQ(drive.next({host_motion(SE3d{}, 1e-4, 1e-5), std::nullopt}).status, CameraStatus::Tracked);
 }
 
 TEST(CameraTracker, GuessesWithoutPoints) {

@@ -91,6 +91,8 @@ TEST(Watch, PassesOnWhatTheStagesNoticeTheGravestFirst) {
   expect(setting, Suspicion::RollingShutter, 0.03);
   setting.noticed.fixed = 0.2;
   expect(setting, Suspicion::FixedPart, 0.2);
+  setting.noticed.host_error = 40;
+  expect(setting, Suspicion::HostMotion, 40);
   setting.depth_late = 1;
   expect(setting, Suspicion::DepthOutOfStep, 1);
 }
@@ -220,6 +222,7 @@ TEST(Suspicion, HasNames) {
   EXPECT_STREQ(dot::to_string(Suspicion::FixedPart), "fixed_part");
   EXPECT_STREQ(dot::to_string(Suspicion::RollingShutter), "rolling_shutter");
   EXPECT_STREQ(dot::to_string(Suspicion::UnsteadyScale), "unsteady_scale");
+  EXPECT_STREQ(dot::to_string(Suspicion::HostMotion), "host_motion");
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "dot/camera_motion/estimator.hpp"
 #include "dot/camera_motion/first_intervals.hpp"
 #include "dot/camera_motion/fixed_parts.hpp"
+#include "dot/camera_motion/host_motion.hpp"
 #include "dot/camera_motion/unexpected_turn.hpp"
 #include "dot/camera_motion/usual_correlation.hpp"
 #include "dot/frame/frame.hpp"
@@ -23,12 +24,6 @@
 #include "dot/points/select.hpp"
 
 DOT_BEGIN_NAMESPACE
-
-/// The host's knowledge of the camera's motion over the last interval.
-struct HostMotion {
-  std::optional<CameraMotion> motion;           ///< replaces the estimate
-  std::optional<std::array<double, 12>> prior;  ///< T_cur_prev, row-major 3x4, start of the estimate
-};
 
 /// Estimates the camera's motion from frame to frame by the background. Learns the noise and the bias of the depth from
 /// the background. Keeps the background's points, the camera's velocity and the learnt noise and bias.
@@ -82,6 +77,10 @@ class CameraTracker {
   /// Share of the image that does not move with the scene, 0 if it is too small to matter.
   double fixed_share() const { return fixed_parts_.share(); }
 
+  /// Pixels by which the host's motion of the last interval moves the background otherwise than the image, if that
+  /// refutes it; otherwise 0. At most the width of the image.
+  double host_error() const { return host_error_; }
+
   /// Whether the motion was measured in every frame since the one of the background's points.
   bool is_sure() const { return !background_.guessed; }
 
@@ -100,9 +99,10 @@ class CameraTracker {
     bias_learning_.forget();
     fixed_parts_.forget();
     held_ = refuted_ = false;
-    velocity_known_ = false;
+    velocity_known_ = velocity_measured_ = false;
     unseen_seconds_ = 0;
     steady_ = still_ = 0;
+    host_error_ = 0;
     turning_rows_ = 0;
     velocity_.setZero();
     correlation_ = {};
@@ -119,6 +119,11 @@ class CameraTracker {
   void take_velocity(const CameraStep& step, const SE3d& predicted, double reach);
   void take_host_motion(const CameraMotion& motion, const FrameData& cur, const Camera& camera,
                         const CameraSettings& settings, Aligner& aligner, CameraStep& step) const;
+  /// Replaces the host's motion by the image's own where that refutes it. @return as `estimate`.
+  bool check_host_motion(const FramePtr& prev, const FrameData& cur, const HostMotion& host,
+                         const std::vector<const PointSet*>& objects, const Camera& camera,
+                         const CameraMotionEstimator& estimator, Aligner& aligner, MinimaWorkspace& workspace,
+                         CameraStep& step);
   /// @return whether the motion was searched, because the velocity was not known or did not lead to it.
   bool estimate(const FramePtr& prev, const FrameData& cur, bool expected, const std::vector<const PointSet*>& objects,
                 const Camera& camera, const CameraMotionEstimator& estimator, Aligner& aligner,
@@ -128,9 +133,11 @@ class CameraTracker {
   Background background_;
   Vector6<double> velocity_ = Vector6<double>::Zero();  ///< twist per second
   bool velocity_known_ = false;                         ///< whether it is of the last interval
+  bool velocity_measured_ = false;                      ///< whether it is the image's, not the host's
   double unseen_seconds_ = 0;                           ///< of the repeated images before the newest frame
   int steady_ = 0;                                      ///< intervals in a row that kept the velocity
   int still_ = 0;  ///< intervals since a search, all without motion, up to those that repeated images may explain
+  double host_error_ = 0;    ///< see `host_error`
   double turning_rows_ = 0;  ///< share of the last frames whose rows turn (RollingShutter)
   UsualCorrelation correlation_;
   FirstIntervals first_intervals_;
@@ -143,7 +150,7 @@ class CameraTracker {
 
   PointSet fresh_;
   BackgroundMask mask_;
-  std::vector<SE3d> starts_ = std::vector<SE3d>(3);  ///< see `predict`; there are three at most
+  std::vector<SE3d> starts_ = std::vector<SE3d>(4);  ///< see `predict`; there are four at most
 };
 
 DOT_END_NAMESPACE

@@ -21,7 +21,8 @@ enum class Suspicion : std::uint8_t {
   FixedPart,         ///< a part of the image that does not move with the scene; share of the image, 0 to 1
   RollingShutter,    ///< rows that a turning camera shows turned against each other; first to last row, radians. Wrong
                      ///< intrinsics, and depth that is no z, look like it
-  UnsteadyScale      ///< depth whose scale differs from frame to frame, as that of a network; its sigma, relative
+  UnsteadyScale,     ///< depth whose scale differs from frame to frame, as that of a network; its sigma, relative
+  HostMotion         ///< Frame::camera_motion that the image refutes and that was not used; error, pixels in the image
 };
 
 /// Name of a suspicion, lower case with underscores; empty for None.
@@ -37,8 +38,9 @@ constexpr const char* to_string(Suspicion suspicion) {
                                    "saturated_depth",
                                    "fixed_part",
                                    "rolling_shutter",
-                                   "unsteady_scale"};
-  return suspicion <= Suspicion::UnsteadyScale ? names[static_cast<int>(suspicion)] : "?";
+                                   "unsteady_scale",
+                                   "host_motion"};
+  return suspicion <= Suspicion::HostMotion ? names[static_cast<int>(suspicion)] : "?";
 }
 
 /// What the tracker suspects of its input. It says so of the last frames, and takes it back when they are better.

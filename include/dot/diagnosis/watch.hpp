@@ -19,6 +19,7 @@ struct Noticed {
   double fixed = 0;        ///< share that does not move with the scene (FixedParts)
   double row_turn = 0;     ///< radians, of the last row against the first; 0 if that may be chance (RollingShutter)
   double scale_sigma = 0;  ///< of the depth's scale from frame to frame, relative (ScaleJitter)
+  double host_error = 0;   ///< pixels, of a motion of the camera from the host that was refuted (HostMotionCheck)
 };
 
 /// Notices input that no tracker can work with. It looks at a few rows of what `track` has computed.
@@ -61,6 +62,8 @@ class Watch {
     rolling_.add(noticed.row_turn > 0);
     if (noticed.row_turn > 0) last_.row_turn = noticed.row_turn;
     unsteady_.add(noticed.scale_sigma > kUnsteady);
+    host_wrong_.add(noticed.host_error > 0);
+    if (noticed.host_error > 0) last_.host_error = noticed.host_error;
 
     if (gaps_.share() > 0.5) return {Suspicion::ImplausibleTimes, seconds};
     if (repeats_.times() > 1 && repeats_.share() >= kRepeats) return {Suspicion::RepeatedImages, repeats_.share()};
@@ -74,6 +77,7 @@ class Watch {
     const double depth = step_.mean_inverse_depth() > 0 ? 1 / step_.mean_inverse_depth() : 1;
     if (depth > kFarthest || depth < kNearest) return {Suspicion::ImplausibleDepth, depth};
     if (const int lag = step_.lag(); lag != 0) return {Suspicion::DepthOutOfStep, static_cast<double>(lag)};
+    if (host_wrong_.share() > 0.5) return {Suspicion::HostMotion, last_.host_error};
     if (saturated_.share() > 0.5) return {Suspicion::SaturatedDepth, last_.saturated};
     if (fixed_.share() > 0.5) return {Suspicion::FixedPart, last_.fixed};
     if (rolling_.share() > 0.5) return {Suspicion::RollingShutter, last_.row_turn};
@@ -84,7 +88,8 @@ class Watch {
   /// Starts afresh, as at the first frame.
   void forget() noexcept {
     step_.clear();
-    gaps_ = repeats_ = few_points_ = no_depth_ = covered_ = saturated_ = fixed_ = rolling_ = unsteady_ = {};
+    gaps_ = repeats_ = few_points_ = no_depth_ = covered_ = saturated_ = fixed_ = rolling_ = unsteady_ =
+        host_wrong_ = {};
     run_ = 0;
   }
 
@@ -119,7 +124,7 @@ class Watch {
   static constexpr double kFarthest = 150, kNearest = 0.1;  ///< metres, harmonic mean
 
   DepthStep step_;
-  Share gaps_, repeats_, few_points_, no_depth_, covered_, saturated_, fixed_, rolling_, unsteady_;
+  Share gaps_, repeats_, few_points_, no_depth_, covered_, saturated_, fixed_, rolling_, unsteady_, host_wrong_;
   double little_depth_ = 0;  ///< share of the pixels with depth in the last frame that had too little
   Noticed last_;             ///< of the last frames that had any
   int run_ = 0;              ///< FrameData::repeats of the newest frame

@@ -48,7 +48,7 @@ struct Frame {
   ImageRef image;              ///< Grey8, Bgr8, Rgb8 or Bgra8
   ImageRef depth;              ///< DepthF32 or DepthU16; up to 1 mm, NaN, infinite, 65535 of 16 bits = no measurement
   std::optional<Masks> masks;  ///< absent: no segmentation for this frame, or not yet
-  std::optional<CameraMotion> camera_motion;  ///< absent: estimated from the image
+  std::optional<CameraMotion> camera_motion;  ///< absent, or refuted by the image: estimated from that
   /// Start of that estimate, from odometry or an IMU: T_cur_prev, row-major 3x4. Absent: constant velocity alone.
   std::optional<std::array<double, 12>> camera_prior;
 };

@@ -20,6 +20,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   step.seconds = seconds;
   revised_.clear();
   refuted_ = false;
+  host_error_ = 0;
   background_.points.subtract_bias(cur.bias, camera.width(), camera.height());
   if (seconds <= 0) {
     velocity_known_ = false;
@@ -35,12 +36,14 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   step.T_cur_prev = starts_.front();
   const SE3d at_constant_velocity = starts_.back();
   bool searched = false;
-  if (host.motion)
+  if (host.motion) {
     take_host_motion(*host.motion, cur, camera, estimator.settings, aligner, step);
-  else if (background_.points.size() < estimator.settings.min_points)
+    searched = check_host_motion(prev, cur, host, objects, camera, estimator, aligner, workspace, step);
+  } else if (background_.points.size() < estimator.settings.min_points) {
     step.status = CameraStatus::TooLittleDepth;
-  else
+  } else {
     searched = estimate(prev, cur, host.prior.has_value(), objects, camera, estimator, aligner, workspace, step);
+  }
 
   if (step.status != CameraStatus::Tracked) still_ = 0;
   const bool repeated = step.status == CameraStatus::Tracked && cur.is_repeated();
@@ -95,6 +98,7 @@ void CameraTracker<Camera, Noise, Aligner>::take_velocity(const CameraStep& step
     velocity_ = is_own ? own : since_new;
   }
   velocity_known_ = step.known();
+  velocity_measured_ = step.status == CameraStatus::Tracked;
   unseen_seconds_ = 0;
 }
 
@@ -113,6 +117,37 @@ void CameraTracker<Camera, Noise, Aligner>::take_host_motion(const CameraMotion&
                                          aligner.settings, settings.covariance_scale);
   step.rolling.in_motion.setZero();  // the motion was not found by these residuals
   step.covariance += step.rolling.covariance_of_all();
+}
+
+/// Images that come again do not show the camera's motion, and after a guess the image does not tell that of the last
+/// interval alone.
+template <typename Camera, typename Noise, typename Aligner>
+bool CameraTracker<Camera, Noise, Aligner>::check_host_motion(const FramePtr& prev, const FrameData& cur,
+                                                              const HostMotion& host,
+                                                              const std::vector<const PointSet*>& objects,
+                                                              const Camera& camera,
+                                                              const CameraMotionEstimator& estimator, Aligner& aligner,
+                                                              MinimaWorkspace& workspace, CameraStep& step) {
+  constexpr int kEnough = 500;  // points for the first look
+  const PointSet& points = background_.points;
+  if (points.size() < estimator.settings.min_points || host.is_mounted() || background_.guessed || cur.is_repeated() ||
+      prev->is_repeated() || unseen_seconds_ > 0)
+    return false;
+  const AlignProblem<Camera> problem{points, cur.pyramid, camera}, few{workspace.few, cur.pyramid, camera};
+  workspace.few.take_every(std::max(1, points.size() / kEnough), points);
+  const AlignState stated = step.alignment.state;
+  if (!HostMotionCheck::doubts(few, stated, step, estimator, aligner)) return false;
+  velocity_known_ = velocity_known_ && velocity_measured_;
+  starts_.insert(starts_.begin(), step.T_cur_prev);
+  CameraStep own;
+  own.seconds = step.seconds;
+  const bool searched = estimate(prev, cur, true, objects, camera, estimator, aligner, workspace, own);
+  if (own.status != CameraStatus::Tracked ||
+      !HostMotionCheck::refutes(problem, own.alignment, stated, step, estimator, aligner, workspace))
+    return false;
+  host_error_ = std::min<double>(camera.width(), pose_distance(points, camera, stated.T, own.alignment.state.T));
+  step = own;
+  return searched;
 }
 
 /// @param expected the host gave a start.

@@ -206,7 +206,8 @@ TEST(SteadyState, WithObjectsThatComeAndGo) {
   EXPECT_EQ(ids.size(), 2 * kWarmUp / kPeriod);
 }
 
-// Masks as a list, each an image of its own, and the camera's motion from the host, or where to look for it.
+// Masks as a list, each an image of its own, and the camera's motion from the host, or where to look for it. Every
+// other motion is the inverse.
 TEST(SteadyState, WithAllThatAHostMayGive) {
   Film<> film = crossing();
   std::vector<std::vector<std::uint8_t>> masks(3);
@@ -227,7 +228,7 @@ TEST(SteadyState, WithAllThatAHostMayGive) {
     if (i % 2) {
       frame.camera_prior = film.T_c().row_major();
     } else {
-      frame.camera_motion.emplace().T_cur_prev = film.T_c().row_major();
+      frame.camera_motion.emplace().T_cur_prev = (i % 4 ? film.T_c() : film.T_c().inverse()).row_major();
       for (std::size_t k = 0; k < 6; ++k) frame.camera_motion->covariance[7 * k] = 1e-8;
     }
   };

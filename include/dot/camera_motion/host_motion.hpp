@@ -50,19 +50,24 @@ struct HostMotionCheck {
                      const CameraMotionEstimator& estimator, Aligner& aligner) {
     Alignment a = aligner.align(few, stated, std::min(few.points.levels, few.image.size()) - 1, 0);
     aligner.reject_outliers_and_refit(few, a, true);
-    return !estimator.accepts(a, false) || differs(a, stated.T, step, estimator.settings.covariance_scale);
+    if (!estimator.accepts(a, false)) return true;
+    return differ(a.state.T, stated.T,
+                  step.covariance + estimator.settings.covariance_scale * a.covariance.topLeftCorner<6, 6>());
   }
 
-  /// Whether the image's own motion refutes the host's. @param own from the points' frame. @param stated the host's.
+  /// Whether the image's own motion refutes the host's. @param own the image's, as estimated without the host. @param
+  /// stated the host's state, from the points' frame. @param step the host's, with its covariance.
   template <typename Camera, typename Aligner>
-  static bool refutes(const AlignProblem<Camera>& problem, const Alignment& own, const AlignState& stated,
+  static bool refutes(const AlignProblem<Camera>& problem, const CameraStep& own, const AlignState& stated,
                       const CameraStep& step, const CameraMotionEstimator& estimator, Aligner& aligner,
                       MinimaWorkspace& workspace) {
-    if (!estimator.accepts(own, false) || !differs(own, stated.T, step, estimator.settings.covariance_scale))
+    const AlignState& seen = own.alignment.state;
+    if (own.status != CameraStatus::Tracked || !estimator.accepts(own.alignment, false) ||
+        !differ(seen.T, stated.T, step.covariance + own.covariance))
       return false;
-    const double sigma = aligner.intensity_sigma(problem, own.state, 0);
+    const double sigma = aligner.intensity_sigma(problem, seen, 0);
     aligner.point_costs(problem, stated, 0, sigma, workspace.point_costs);
-    aligner.point_costs(problem, own.state, 0, sigma, workspace.other_costs);
+    aligner.point_costs(problem, seen, 0, sigma, workspace.other_costs);
     // What the host's motion moves out of the image speaks against it, too.
     const float most = static_cast<float>(aligner.settings.tukey * aligner.settings.tukey / 6);
     for (std::size_t i = 0; i < workspace.point_costs.size(); ++i)
@@ -75,13 +80,11 @@ struct HostMotionCheck {
 
  private:
   static constexpr int kMinVotes = 8;        ///< cells for the image's motion
-  static constexpr double kContested = 0.3;  ///< votes for the host's, over those: from here on both may be right
+  static constexpr double kContested = 0.1;  ///< votes for the host's, over those: from here on both may be right
 
-  /// Whether the distance of two motions is beyond the covariances of both.
-  static bool differs(const Alignment& a, const SE3d& stated, const CameraStep& step, double covariance_scale) {
-    if (!has_covariance(a)) return true;
-    const Vector6<double> d = (a.state.T * stated.inverse()).log();
-    const Matrix6<double> S = step.covariance + covariance_scale * a.covariance.topLeftCorner<6, 6>();
+  /// Whether the distance of two motions is beyond the sum S of their covariances.
+  static bool differ(const SE3d& one, const SE3d& other, const Matrix6<double>& S) {
+    const Vector6<double> d = (one * other.inverse()).log();
     return !(d.dot(S.ldlt().solve(d)) <= chi2::k99999Of6);
   }
 };

@@ -57,7 +57,7 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   const bool rows_turn = !step.rolling.turn.isZero(0);
   if (step.known()) turning_rows_ += kShareOfNew * ((rows_turn ? 1 : 0) - turning_rows_);
   step.rolling.is_usual = rows_turn && turning_rows_ > 0.5 && background_.seconds == 0;
-  refuted_ = !revised_.empty() || (held_ && !host.motion);
+  refuted_ = !revised_.empty() || (held_ && step.status != CameraStatus::FromHost);
   held_ = false;
   if (repeated)
     unseen_seconds_ += seconds;
@@ -120,7 +120,7 @@ void CameraTracker<Camera, Noise, Aligner>::take_host_motion(const CameraMotion&
 }
 
 /// Images that come again do not show the camera's motion, and after a guess the image does not tell that of the last
-/// interval alone.
+/// interval alone. With a rolling shutter the image's own motion is less exact than its covariance says.
 template <typename Camera, typename Noise, typename Aligner>
 bool CameraTracker<Camera, Noise, Aligner>::check_host_motion(const FramePtr& prev, const FrameData& cur,
                                                               const HostMotion& host,
@@ -128,7 +128,8 @@ bool CameraTracker<Camera, Noise, Aligner>::check_host_motion(const FramePtr& pr
                                                               const Camera& camera,
                                                               const CameraMotionEstimator& estimator, Aligner& aligner,
                                                               MinimaWorkspace& workspace, CameraStep& step) {
-  constexpr int kEnough = 500;  // points for the first look
+  constexpr int kEnough = 500;          // points for the first look
+  constexpr double kRollingPixels = 1;  // by which the two motions differ at least where rows turn
   const PointSet& points = background_.points;
   if (points.size() < estimator.settings.min_points || host.is_mounted() || background_.guessed || cur.is_repeated() ||
       prev->is_repeated() || unseen_seconds_ > 0)
@@ -142,10 +143,11 @@ bool CameraTracker<Camera, Noise, Aligner>::check_host_motion(const FramePtr& pr
   CameraStep own;
   own.seconds = step.seconds;
   const bool searched = estimate(prev, cur, true, objects, camera, estimator, aligner, workspace, own);
-  if (own.status != CameraStatus::Tracked ||
-      !HostMotionCheck::refutes(problem, own.alignment, stated, step, estimator, aligner, workspace))
-    return false;
-  host_error_ = std::min<double>(camera.width(), pose_distance(points, camera, stated.T, own.alignment.state.T));
+  if (!HostMotionCheck::refutes(problem, own, stated, step, estimator, aligner, workspace)) return false;
+  const double error = pose_distance(points, camera, stated.T, own.alignment.state.T);
+  const bool rows_turn = turning_rows_ > 0.5 || !own.rolling.turn.isZero(0) || !step.rolling.turn.isZero(0);
+  if (rows_turn && error < kRollingPixels) return false;
+  host_error_ = std::min<double>(camera.width(), error);
   step = own;
   return searched;
 }

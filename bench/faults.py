@@ -121,6 +121,29 @@ def no_centre(s, size):
     s.intrinsics[{"cx": 2, "cy": 3}[size]] = 0
 
 
+def depth_ray(s, size):
+    """depth along the ray instead of along the optical axis (size without meaning)"""
+    fx, fy, cx, cy, width, height = s.intrinsics[:6]
+    v, u = np.indices((int(height), int(width)))
+    factor = np.sqrt(1 + ((u - cx) / fx) ** 2 + ((v - cy) / fy) ** 2)
+    s.change["depth"] = lambda z, i: np.where(z > 0, np.clip(np.round(z * factor), 1, 65534), 0).astype(np.uint16)
+
+
+def radial(s, size):
+    """images, depth and masks through a lens with this radial distortion (k1), which intrinsics.txt lacks"""
+    fx, fy, cx, cy, width, height = s.intrinsics[:6]
+    v, u = np.indices((int(height), int(width)))
+    seen_x, seen_y = (u - cx) / fx, (v - cy) / fy
+    x, y = seen_x, seen_y
+    for _ in range(20):
+        stretch = 1 + float(size) * (x * x + y * y)
+        x, y = seen_x / stretch, seen_y / stretch
+    at = (x * fx + cx).astype(np.float32), (y * fy + cy).astype(np.float32)
+    s.change["rgb"] = lambda image, i: cv2.remap(image, *at, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REFLECT)
+    for name in ("depth", "masks", "instance", "depth_true"):
+        s.change[name] = lambda image, i: cv2.remap(image, *at, cv2.INTER_NEAREST, borderMode=cv2.BORDER_CONSTANT)
+
+
 def disparity(s, size):
     """disparity instead of depth, so many values a pixel"""
     fb = s.intrinsics[0] * s.intrinsics[6] * 256
@@ -297,7 +320,8 @@ def hood(s, size):
 
 
 FAULTS = {
-    "depth-unit": depth_unit, "depth-late": depth_late, "depth-offset": depth_offset, "focal": focal,
+    "depth-unit": depth_unit, "depth-late": depth_late, "depth-offset": depth_offset, "depth-ray": depth_ray,
+    "radial": radial, "focal": focal,
     "baseline": baseline, "resolution": resolution, "no-centre": no_centre, "disparity": disparity,
     "background": background, "rows": rows, "bias": bias, "masks-late": masks_late, "masks-size": masks_size,
     "masks-values": masks_values, "masks-missing": masks_missing, "time-unit": time_unit, "dropped": dropped,

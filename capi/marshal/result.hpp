@@ -61,6 +61,7 @@ static_assert(to_c(dot::Suspicion::FixedPart) == DOT_SUSPICION_FIXED_PART);
 static_assert(to_c(dot::Suspicion::RollingShutter) == DOT_SUSPICION_ROLLING_SHUTTER);
 static_assert(to_c(dot::Suspicion::UnsteadyScale) == DOT_SUSPICION_UNSTEADY_SCALE);
 static_assert(to_c(dot::Suspicion::HostMotion) == DOT_SUSPICION_HOST_MOTION);
+static_assert(to_c(dot::Suspicion::LensDistortion) == DOT_SUSPICION_LENS_DISTORTION);
 
 inline dot_object to_c(const dot::ObjectResult& object) {
   dot_object out{};

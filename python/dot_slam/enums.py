@@ -62,6 +62,7 @@ class Suspicion(IntEnum):
     ROLLING_SHUTTER = 10  # rows that a turning camera shows turned against each other; first to last row, radians
     UNSTEADY_SCALE = 11  # depth whose scale differs from frame to frame, as that of a network; its sigma, relative
     HOST_MOTION = 12  # camera_motion that the image refutes and that was not used; its error, pixels in the image
+    LENS_DISTORTION = 13  # radial distortion that the camera model lacks, or depth along the ray; pixels at a corner
 
 
 class DepthSource(IntEnum):

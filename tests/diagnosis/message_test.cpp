@@ -22,7 +22,7 @@ TEST(DiagnosisMessage, NamesTheSuspicionItsFigureAndWhereToLook) {
 
 TEST(DiagnosisMessage, EverySuspicionHasOneOfItsOwn) {
   std::set<std::string> meanings;
-  const int count = static_cast<int>(Suspicion::HostMotion);
+  const int count = static_cast<int>(Suspicion::LensDistortion);
   for (int i = 1; i <= count; ++i) {
     const auto reason = static_cast<Suspicion>(i);
     const std::string text = dot::describe({reason, 0.25});

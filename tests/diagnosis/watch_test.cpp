@@ -89,6 +89,8 @@ TEST(Watch, PassesOnWhatTheStagesNoticeTheGravestFirst) {
   expect(setting, Suspicion::UnsteadyScale, 0.02);
   setting.noticed.row_turn = 0.03;
   expect(setting, Suspicion::RollingShutter, 0.03);
+  setting.noticed.distortion = 12;
+  expect(setting, Suspicion::LensDistortion, 12);
   setting.noticed.fixed = 0.2;
   expect(setting, Suspicion::FixedPart, 0.2);
   setting.noticed.host_error = 40;
@@ -223,6 +225,7 @@ TEST(Suspicion, HasNames) {
   EXPECT_STREQ(dot::to_string(Suspicion::RollingShutter), "rolling_shutter");
   EXPECT_STREQ(dot::to_string(Suspicion::UnsteadyScale), "unsteady_scale");
   EXPECT_STREQ(dot::to_string(Suspicion::HostMotion), "host_motion");
+  EXPECT_STREQ(dot::to_string(Suspicion::LensDistortion), "lens_distortion");
 }
 
 }  // namespace

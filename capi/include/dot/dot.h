@@ -139,7 +139,8 @@ enum {
   DOT_SUSPICION_FIXED_PART = 9,          ///< part of the image that does not move with the scene; share of the image
   DOT_SUSPICION_ROLLING_SHUTTER = 10,    ///< rows turned against each other; first to last row, radians
   DOT_SUSPICION_UNSTEADY_SCALE = 11,     ///< depth whose scale differs from frame to frame; its sigma, relative
-  DOT_SUSPICION_HOST_MOTION = 12         ///< camera_motion that the image refutes, not used; its error, pixels
+  DOT_SUSPICION_HOST_MOTION = 12,        ///< camera_motion that the image refutes, not used; its error, pixels
+  DOT_SUSPICION_LENS_DISTORTION = 13     ///< distortion that the camera lacks, or depth along the ray; px at a corner
 };
 
 /// dot_options.classifier.

@@ -16,6 +16,7 @@
 #include "dot/camera_motion/first_intervals.hpp"
 #include "dot/camera_motion/fixed_parts.hpp"
 #include "dot/camera_motion/host_motion.hpp"
+#include "dot/camera_motion/lens_distortion.hpp"
 #include "dot/camera_motion/unexpected_turn.hpp"
 #include "dot/camera_motion/usual_correlation.hpp"
 #include "dot/frame/frame.hpp"
@@ -81,6 +82,9 @@ class CameraTracker {
   /// refutes it; otherwise 0. At most the width of the image.
   double host_error() const { return host_error_; }
 
+  /// Pixels by which a radial distortion that the camera model lacks moves a corner of the image, 0 if there is none.
+  double distortion(const Camera& camera) const { return lens_.shift(camera); }
+
   /// Whether the motion was measured in every frame since the one of the background's points.
   bool is_sure() const { return !background_.guessed; }
 
@@ -103,6 +107,7 @@ class CameraTracker {
     unseen_seconds_ = 0;
     steady_ = still_ = 0;
     host_error_ = 0;
+    lens_ = {};
     turning_rows_ = 0;
     velocity_.setZero();
     correlation_ = {};
@@ -139,6 +144,7 @@ class CameraTracker {
   int still_ = 0;  ///< intervals since a search, all without motion, up to those that repeated images may explain
   double host_error_ = 0;    ///< see `host_error`
   double turning_rows_ = 0;  ///< share of the last frames whose rows turn (RollingShutter)
+  LensDistortion lens_;
   UsualCorrelation correlation_;
   FirstIntervals first_intervals_;
   std::vector<RevisedInterval> revised_;

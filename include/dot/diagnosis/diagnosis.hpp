@@ -22,7 +22,8 @@ enum class Suspicion : std::uint8_t {
   RollingShutter,    ///< rows that a turning camera shows turned against each other; first to last row, radians. Wrong
                      ///< intrinsics, and depth that is no z, look like it
   UnsteadyScale,     ///< depth whose scale differs from frame to frame, as that of a network; its sigma, relative
-  HostMotion         ///< Frame::camera_motion that the image refutes and that was not used; error, pixels in the image
+  HostMotion,        ///< Frame::camera_motion that the image refutes and that was not used; error, pixels in the image
+  LensDistortion     ///< radial distortion that the camera model lacks, or depth along the ray; pixels, at a corner
 };
 
 /// Name of a suspicion, lower case with underscores; empty for None.
@@ -39,8 +40,9 @@ constexpr const char* to_string(Suspicion suspicion) {
                                    "fixed_part",
                                    "rolling_shutter",
                                    "unsteady_scale",
-                                   "host_motion"};
-  return suspicion <= Suspicion::HostMotion ? names[static_cast<int>(suspicion)] : "?";
+                                   "host_motion",
+                                   "lens_distortion"};
+  return suspicion <= Suspicion::LensDistortion ? names[static_cast<int>(suspicion)] : "?";
 }
 
 /// What the tracker suspects of its input. It says so of the last frames, and takes it back when they are better.

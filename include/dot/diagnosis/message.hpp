@@ -45,6 +45,8 @@ inline std::string describe(const Diagnosis& diagnosis) {
         return {"of the depth", "its scale differs from frame to frame: distances and speeds are as uncertain"};
       case Suspicion::HostMotion:
         return {"px", "camera_motion is not the image's: is it T_cur_prev, of this interval, metres, camera's axes?"};
+      case Suspicion::LensDistortion:
+        return {"px", "the image is distorted and the camera model is not, or depth is along the ray instead of z"};
     }
     return {"", ""};
   }();
@@ -77,7 +79,8 @@ class DiagnosisNews {
   static constexpr std::int64_t kAbsent = 200;
 
   std::int64_t frames_ = 0;
-  std::array<std::int64_t, static_cast<std::size_t>(Suspicion::HostMotion) + 1> last_{};  ///< frame, from 1; 0: never
+  std::array<std::int64_t, static_cast<std::size_t>(Suspicion::LensDistortion) + 1>
+      last_{};  ///< frame, from 1; 0: never
 };
 
 }  // namespace dot

@@ -19,6 +19,7 @@ struct Noticed {
   double fixed = 0;        ///< share that does not move with the scene (FixedParts)
   double row_turn = 0;     ///< radians, of the last row against the first; 0 if that may be chance (RollingShutter)
   double scale_sigma = 0;  ///< of the depth's scale from frame to frame, relative (ScaleJitter)
+  double distortion = 0;   ///< pixels, of a radial distortion that the camera model lacks (LensDistortion)
   double host_error = 0;   ///< pixels, of a motion of the camera from the host that was refuted (HostMotionCheck)
 };
 
@@ -62,6 +63,8 @@ class Watch {
     rolling_.add(noticed.row_turn > 0);
     if (noticed.row_turn > 0) last_.row_turn = noticed.row_turn;
     unsteady_.add(noticed.scale_sigma > kUnsteady);
+    distorted_.add(noticed.distortion > 0);
+    if (noticed.distortion > 0) last_.distortion = noticed.distortion;
     host_wrong_.add(noticed.host_error > 0);
     if (noticed.host_error > 0) last_.host_error = noticed.host_error;
 
@@ -80,6 +83,7 @@ class Watch {
     if (host_wrong_.share() > 0.5) return {Suspicion::HostMotion, last_.host_error};
     if (saturated_.share() > 0.5) return {Suspicion::SaturatedDepth, last_.saturated};
     if (fixed_.share() > 0.5) return {Suspicion::FixedPart, last_.fixed};
+    if (distorted_.share() > 0.5) return {Suspicion::LensDistortion, last_.distortion};
     if (rolling_.share() > 0.5) return {Suspicion::RollingShutter, last_.row_turn};
     if (unsteady_.share() > 0.5) return {Suspicion::UnsteadyScale, noticed.scale_sigma};
     return {};
@@ -88,7 +92,7 @@ class Watch {
   /// Starts afresh, as at the first frame.
   void forget() noexcept {
     step_.clear();
-    gaps_ = repeats_ = few_points_ = no_depth_ = covered_ = saturated_ = fixed_ = rolling_ = unsteady_ =
+    gaps_ = repeats_ = few_points_ = no_depth_ = covered_ = saturated_ = fixed_ = rolling_ = unsteady_ = distorted_ =
         host_wrong_ = {};
     run_ = 0;
   }
@@ -124,7 +128,8 @@ class Watch {
   static constexpr double kFarthest = 150, kNearest = 0.1;  ///< metres, harmonic mean
 
   DepthStep step_;
-  Share gaps_, repeats_, few_points_, no_depth_, covered_, saturated_, fixed_, rolling_, unsteady_, host_wrong_;
+  Share gaps_, repeats_, few_points_, no_depth_, covered_, saturated_, fixed_, rolling_, unsteady_, distorted_,
+      host_wrong_;
   double little_depth_ = 0;  ///< share of the pixels with depth in the last frame that had too little
   Noticed last_;             ///< of the last frames that had any
   int run_ = 0;              ///< FrameData::repeats of the newest frame

@@ -57,6 +57,9 @@ CameraStep CameraTracker<Camera, Noise, Aligner>::track(const FramePtr& prev, co
   const bool rows_turn = !step.rolling.turn.isZero(0);
   if (step.known()) turning_rows_ += kShareOfNew * ((rows_turn ? 1 : 0) - turning_rows_);
   step.rolling.is_usual = rows_turn && turning_rows_ > 0.5 && background_.seconds == 0;
+  if (step.known() && !cur.is_repeated() && !background_.guessed)
+    lens_.add(background_.points, cur.pyramid.levels[0], camera, step.alignment, aligner.settings,
+              estimator.settings.covariance_scale);
   refuted_ = !revised_.empty() || (held_ && step.status != CameraStatus::FromHost);
   held_ = false;
   if (repeated)

@@ -150,6 +150,7 @@ void Dot<Camera, Classifier, Noise, Aligner>::prepare_next(const CameraStep& cam
   noticed.fixed = camera_tracker_.fixed_share();
   noticed.row_turn = camera_step.rolling.turn.norm();
   noticed.scale_sigma = camera_tracker_.scale_sigma();
+  noticed.distortion = camera_tracker_.distortion(camera_);
   noticed.host_error = camera_tracker_.host_error();
   result_.diagnosis = watch_.update(*current_, depth_noise, step, options_.max_gap, result_.too_little_depth, noticed);
   late_masks_.await(current_, camera_step, segmented, options_.mask, tracks_.all());

@@ -35,9 +35,9 @@ class LensDistortion {
       const Vector2<double> x(static_cast<double>(points.x[p.i]), static_cast<double>(points.y[p.i]));
       const Vector3<double> X =
           a.state.T.R * Vector3<double>(x.x(), x.y(), 1) + static_cast<double>(points.q[p.i]) * a.state.T.t;
-      const Vector3<double> dX = -x.squaredNorm() * (a.state.T.R.template leftCols<2>() * x);
+      const Vector3<double> d_point = -x.squaredNorm() * (a.state.T.R.template leftCols<2>() * x);
       const Vector2<double> n = X.head<2>() / X.z();
-      const Vector2<double> dn = (dX.head<2>() - dX.z() * n) / X.z();
+      const Vector2<double> dn = (d_point.head<2>() - d_point.z() * n) / X.z();
       Eigen::Matrix<double, 2, 3> J_pi;
       camera.template project<double>(Vector3<double>(n.x(), n.y(), 1), &J_pi);
       const Vector2<double> dpixel = J_pi.template leftCols<2>() * (dn + n.squaredNorm() * n);
